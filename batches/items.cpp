@@ -8,6 +8,7 @@
 #include "assessment/tissue_metrics.h"
 #include "batches/batch_error.h"
 #include "batches/checksum.h"
+#include "batches/scores.h"
 #include "curriculum/attempt_runner.h"
 #include "curriculum/replay_check.h"
 #include "db/recording_file.h"
@@ -108,17 +109,17 @@ Json Worker::rescore(const Json& item) {
         result["problem"] = "cannot be scored: " + problem;
         return result;
     }
+    assessment::Rubric rubric = judge->rubric;
+    rubric.pass_points = item.value("pass_points", rubric.pass_points);
     const assessment::MetricSet metrics = assessment::compute_metrics(recording);
-    const assessment::Score score = assessment::score_attempt(judge->rubric, metrics, recording);
-    result["points"] = score.points;
-    result["verdict"] = assessment::verdict_name(score.verdict);
-    result["rubric"] = score.rubric_id;
-    result["rubric_version"] = score.rubric_version;
-    result["metric_set_version"] = score.metric_set_version;
+    const assessment::Score score = assessment::score_attempt(rubric, metrics, recording);
+    const bool of_store = item.contains("attempt");
+    result.update(score_json(score));
     for (const std::string_view id : assessment::not_recorded(recording))
         result["lacks"].push_back(id);
-    if (manifest_.options.at("metrics").get<bool>())
-        for (const auto& metric : metrics.values) result["metrics"][metric.id] = metric.value;
+    if (of_store) result["reasons"] = reasons_json(score);
+    if (of_store || manifest_.options.at("metrics").get<bool>())
+        result["metrics"] = metrics_json(metrics);
     return result;
 }
 

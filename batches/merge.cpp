@@ -75,19 +75,27 @@ BatchStatus batch_status(const fs::path& folder, const Manifest& manifest) {
     return status;
 }
 
-Summary merge_batch(const fs::path& folder, const Manifest& manifest, const fs::path& result) {
-    const BatchStatus status = batch_status(folder, manifest);
+void need_all_shards(const BatchStatus& status) {
     if (status.done != status.shards)
         throw BatchError(BatchError::Kind::kFailed,
                          std::to_string(status.done) + " of " + std::to_string(status.shards) +
                              " shards are done:\n" + what_lacks(status) +
                              "`placodectl batch run` does what is missing or damaged");
+}
+
+Shard read_done_shard(const fs::path& folder, const Manifest& manifest, int number) {
+    Shard shard = read_shard(folder, manifest, number);
+    if (shard.state != ShardState::kDone)
+        throw BatchError(BatchError::Kind::kFailed, shard.problem + " since a moment ago");
+    return shard;
+}
+
+Summary merge_batch(const fs::path& folder, const Manifest& manifest, const fs::path& result) {
+    need_all_shards(batch_status(folder, manifest));
     Summary summary;
     std::string lines;
-    for (int number = 0; number < status.shards; ++number) {
-        const Shard shard = read_shard(folder, manifest, number);
-        if (shard.state != ShardState::kDone)
-            throw BatchError(BatchError::Kind::kFailed, shard.problem + " since a moment ago");
+    for (int number = 0; number < manifest.shards(); ++number) {
+        const Shard shard = read_done_shard(folder, manifest, number);
         count(shard.lines, summary);
         lines += shard.lines;
     }

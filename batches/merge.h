@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "batches/manifest.h"
+#include "batches/shard.h"
 
 namespace placode::batches {
 
@@ -25,6 +26,12 @@ struct BatchStatus {
 /// Verifies the checksum of every shard.
 [[nodiscard]] BatchStatus batch_status(const std::filesystem::path& folder,
                                        const Manifest& manifest);
+
+/// Throws BatchError, naming all that is missing or damaged.
+void need_all_shards(const BatchStatus& status);
+/// Throws BatchError when it was done a moment ago and is so no more.
+[[nodiscard]] Shard read_done_shard(const std::filesystem::path& folder, const Manifest& manifest,
+                                    int shard);
 
 /// Counts over a result: what a person asks first.
 struct Summary {

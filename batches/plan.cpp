@@ -74,10 +74,12 @@ Manifest plan_recordings(const RecordingsOrder& order, const fs::path& folder) {
             manifest.options["task"] = manifest.tasks[0]["ref"];
         }
     }
-    for (const fs::path& file : order.recordings) {
-        manifest.items.push_back(
-            {{"recording", name_of(file, folder)}, {"sha256", sha256_of_file(file)}});
-        ids.insert(task_id_of(file));
+    for (const OrderedRecording& one : order.recordings) {
+        Json item{{"recording", name_of(one.path, folder)}, {"sha256", sha256_of_file(one.path)}};
+        if (one.attempt > 0) item["attempt"] = one.attempt;
+        if (one.pass_points) item["pass_points"] = *one.pass_points;
+        manifest.items.push_back(std::move(item));
+        ids.insert(task_id_of(one.path));
     }
     for (const std::string& id : ids)
         if (order.task.empty() && db::shipped_task(id)) manifest.tasks.push_back(task_entry(id));

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,17 @@
 
 namespace placode::batches {
 
+/// A recording and, where a store keeps it, whose score it is.
+struct OrderedRecording {
+    std::filesystem::path path;
+    int64_t attempt = 0;                ///< Of the store; 0 = of none.
+    std::optional<double> pass_points;  ///< rescore: instead of the rubric's, as on its day.
+};
+
 /// Recordings to score again or to simulate again.
 struct RecordingsOrder {
     std::string kind;  ///< "rescore" or "replay".
-    std::vector<std::filesystem::path> recordings;
+    std::vector<OrderedRecording> recordings;
     std::string task;      ///< rescore: judge all by this one; empty = each by the program's own.
     bool metrics = false;  ///< rescore: with every metric in the result.
     int threads = 1;       ///< replay

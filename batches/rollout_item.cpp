@@ -4,6 +4,7 @@
 
 #include "batches/checksum.h"
 #include "batches/items.h"
+#include "batches/scores.h"
 #include "environment/policy.h"
 
 namespace placode::batches {
@@ -51,8 +52,7 @@ Json Worker::rollout(const Json& item) {
     result["duration_s"] = recording.end.duration_s;
     result["final_hash"] = hash_text(recording.end.final_hash);
     if (manifest_.options.at("metrics").get<bool>())
-        for (const auto& metric : environment.judged().metrics.values)
-            result["metrics"][metric.id] = metric.value;
+        result["metrics"] = metrics_json(environment.judged().metrics);
     if (manifest_.options.at("record").get<bool>()) {
         const std::string file = task_id + "-" + name + "-" + std::to_string(seed) + ".placode";
         write_recording(recording, folder_ / "recordings" / file);

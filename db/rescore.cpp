@@ -73,6 +73,71 @@ void check_published(Store& store, const std::vector<AttemptRecord>& attempts,
     compare(shipped_task(task.id));
 }
 
+/// Throws StoreError kDamaged when the recording cannot be scored.
+ComputedScore compute(Store& store, const AttemptRecord& attempt, const curriculum::Task& task,
+                      const std::string& file) {
+    const sim::Recording recording = read_recording_file(file);
+    if (const std::string problem = assessment::unsound(recording); !problem.empty())
+        throw StoreError(StoreError::Kind::kDamaged, "it cannot be scored: " + problem);
+    ComputedScore found;
+    found.record.attempt_id = attempt.id;
+    found.record.metrics = assessment::compute_metrics(recording);
+    found.record.score = assessment::score_attempt(rubric_at(store, task, attempt.started_utc),
+                                                   found.record.metrics, recording);
+    found.record.preprocessing_version = assessment::kPreprocessingVersion;
+    for (const std::string_view id : assessment::not_recorded(recording))
+        found.lacks.emplace_back(id);
+    return found;
+}
+
+/// Out of the store, for as long as it is looked at.
+struct ExtractedRecording {
+    ExtractedRecording(Store& store, int64_t attempt_id)
+        : path(folder.filePath(QStringLiteral("a.placode")).toStdString()) {
+        store.attempts().extract_recording(attempt_id, path);
+    }
+    QTemporaryDir folder;
+    std::string path;
+};
+
+bool same_score(const RescoreRecord& a, const RescoreRecord& b) {
+    const auto same_reason = [](const assessment::Reason& x, const assessment::Reason& y) {
+        return x.item == y.item && x.text == y.text && x.points == y.points &&
+               x.time_s == y.time_s && x.critical == y.critical && x.meaning == y.meaning;
+    };
+    const auto same_metric = [](const assessment::Metric& x, const assessment::Metric& y) {
+        return x.id == y.id && x.value == y.value;
+    };
+    return a.score.points == b.score.points && a.score.verdict == b.score.verdict &&
+           a.score.rubric_id == b.score.rubric_id &&
+           a.score.rubric_version == b.score.rubric_version &&
+           a.score.metric_set_version == b.score.metric_set_version &&
+           std::equal(a.metrics.values.begin(), a.metrics.values.end(), b.metrics.values.begin(),
+                      b.metrics.values.end(), same_metric) &&
+           std::equal(a.score.reasons.begin(), a.score.reasons.end(), b.score.reasons.begin(),
+                      b.score.reasons.end(), same_reason);
+}
+
+/// Before anything is saved: a computer that computes otherwise, or lies, is found on a sample.
+void compare_computed(Store& store, const std::vector<AttemptRecord>& attempts,
+                      const curriculum::Task& task, const RescoreOptions& options) {
+    for (const AttemptRecord& attempt : attempts) {
+        if (!options.recompute.contains(attempt.id)) continue;
+        const ExtractedRecording file(store, attempt.id);
+        const auto theirs = options.computed(attempt.id, file.path);
+        if (!theirs) continue;
+        const RescoreRecord ours = compute(store, attempt, task, file.path).record;
+        if (!same_score(theirs->record, ours))
+            throw StoreError(StoreError::Kind::kConflict,
+                             "attempt " + std::to_string(attempt.id) + ": the batch says " +
+                                 std::to_string(theirs->record.score.points) + " points, " +
+                                 assessment::verdict_name(theirs->record.score.verdict) +
+                                 ", this computer finds " + std::to_string(ours.score.points) +
+                                 ", " + assessment::verdict_name(ours.score.verdict) +
+                                 "; nothing of the batch was kept");
+    }
+}
+
 RescoreOutcome rescore_one(Store& store, const AttemptRecord& attempt, const curriculum::Task& task,
                            const RescoreOptions& options) {
     RescoreOutcome outcome;
@@ -85,21 +150,18 @@ RescoreOutcome rescore_one(Store& store, const AttemptRecord& attempt, const cur
         return outcome;
     }
     try {
-        const sim::Recording recording = stored_recording(store, attempt.id);
-        if (const std::string problem = assessment::unsound(recording); !problem.empty())
-            throw StoreError(StoreError::Kind::kDamaged, "it cannot be scored: " + problem);
-        RescoreRecord record;
-        record.attempt_id = attempt.id;
-        record.metrics = assessment::compute_metrics(recording);
-        record.score = assessment::score_attempt(rubric_at(store, task, attempt.started_utc),
-                                                 record.metrics, recording);
-        record.preprocessing_version = assessment::kPreprocessingVersion;
-        for (const std::string_view id : assessment::not_recorded(recording))
-            outcome.lacks.emplace_back(id);
-        outcome.new_points = record.score.points;
-        outcome.new_verdict = record.score.verdict;
+        const ExtractedRecording file(store, attempt.id);
+        const auto found = options.computed ? options.computed(attempt.id, file.path)
+                                            : compute(store, attempt, task, file.path);
+        if (!found) {
+            outcome.state = RescoreState::kNotComputed;
+            return outcome;
+        }
+        outcome.lacks = found->lacks;
+        outcome.new_points = found->record.score.points;
+        outcome.new_verdict = found->record.score.verdict;
         if (there) outcome.state = RescoreState::kAlreadyThere;
-        if (!options.dry_run) store.attempts().save_rescore(record);
+        if (!options.dry_run) store.attempts().save_rescore(found->record);
     } catch (const StoreError& error) {
         if (error.kind() != StoreError::Kind::kNotFound &&
             error.kind() != StoreError::Kind::kDamaged)
@@ -114,16 +176,13 @@ RescoreOutcome rescore_one(Store& store, const AttemptRecord& attempt, const cur
 }  // namespace
 
 const char* rescore_state_name(RescoreState state) {
-    constexpr std::array<const char*, 4> kNames{"rescored", "already there", "no recording",
-                                                "unreadable"};
+    constexpr std::array<const char*, 5> kNames{"rescored", "already there", "no recording",
+                                                "unreadable", "not in the batch"};
     return kNames[static_cast<size_t>(state)];
 }
 
 sim::Recording stored_recording(Store& store, int64_t attempt_id) {
-    const QTemporaryDir folder;
-    const std::string path = folder.filePath(QStringLiteral("a.placode")).toStdString();
-    store.attempts().extract_recording(attempt_id, path);
-    return read_recording_file(path);
+    return read_recording_file(ExtractedRecording(store, attempt_id).path);
 }
 
 std::vector<RescoreOutcome> rescore(Store& store, const curriculum::Task& task,
@@ -133,6 +192,7 @@ std::vector<RescoreOutcome> rescore(Store& store, const curriculum::Task& task,
     const auto attempts = store.attempts().list(options.user_id, task.id);
     if (!store.definitions().find("rubric", rubric.id, rubric.version))
         check_published(store, attempts, task, rubric);
+    if (options.computed) compare_computed(store, attempts, task, options);
     if (!options.dry_run && !attempts.empty() &&
         !store.definitions().find("rubric", rubric.id, rubric.version))
         store.definitions().publish(rubric);

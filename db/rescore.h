@@ -4,6 +4,8 @@
 // Stored attempts under another rubric: computed again from their recordings, both scores kept.
 
 #include <functional>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,8 @@ enum class RescoreState : uint8_t {
     kRescored,      ///< A further score was saved (or would be).
     kAlreadyThere,  ///< Under this rubric, metric set and pre-processing it has a score.
     kNoRecording,
-    kUnreadable
+    kUnreadable,
+    kNotComputed  ///< RescoreOptions::computed has no score of it.
 };
 [[nodiscard]] const char* rescore_state_name(RescoreState state);
 
@@ -30,11 +33,22 @@ struct RescoreOutcome {
     std::vector<std::string> lacks;
 };
 
+struct ComputedScore {
+    RescoreRecord record;
+    std::vector<std::string> lacks;  ///< As in RescoreOutcome.
+};
+/// A score that was computed elsewhere, of the recording in this file; nothing where there is none.
+/// Throws StoreError kConflict when it is of another recording.
+using ComputedScores =
+    std::function<std::optional<ComputedScore>(int64_t attempt_id, const std::string& file)>;
+
 struct RescoreOptions {
     int64_t user_id = 0;  ///< 0 = everybody's.
     bool dry_run = false;
     /// Told before each attempt; false stops, what is done stays done.
     std::function<bool(size_t done, size_t total)> progress;
+    ComputedScores computed;      ///< Kept instead of computing here; empty = compute.
+    std::set<int64_t> recompute;  ///< Attempts whose computed score is compared with our own.
 };
 
 /// The recording of a stored attempt. Throws StoreError.
@@ -43,7 +57,8 @@ struct RescoreOptions {
 /// All attempts of the task under its rubric. Publishes the rubric's text (not in a dry run), so
 /// that its version means one text for good. Throws kConflict when this version has another text.
 /// Attempts that already have a score under it are left alone, except in a dry run, which computes
-/// them too: the same recording and rubric must give the same score.
+/// them too: the same recording and rubric must give the same score. Throws kConflict, with nothing
+/// saved, when a score that was computed elsewhere is not the one that this computer finds.
 [[nodiscard]] std::vector<RescoreOutcome> rescore(Store& store, const curriculum::Task& task,
                                                   const RescoreOptions& options);
 

@@ -132,6 +132,40 @@ TEST_F(BatchPrograms, WhatShardsTookForecastsALargerBatch) {
     EXPECT_EQ(read_text(file("small/result.jsonl")).find("wall_s"), std::string::npos);
 }
 
+TEST_F(BatchPrograms, NormsComeOutOfRollouts) {
+    const std::string plan =
+        "plan rollouts --out n --tasks touch_targets --policies expert,novice --seeds 1-2 "
+        "--time-limit 10 --scene-changes coarse.json --shard-size 2";
+    ASSERT_EQ(batch(plan).status, 0);
+    const Outcome without = ctl("norms quality touch_targets --batch n");
+    EXPECT_EQ(without.status, 2);
+    EXPECT_THAT(without.err, HasSubstr("has no metrics of rollouts"));
+    fs::remove_all(file("n"));
+    ASSERT_EQ(batch(plan + " --metrics").status, 0);
+    EXPECT_EQ(ctl("norms quality touch_targets --batch n").status, 1) << "nothing is done yet";
+    ASSERT_EQ(batch("run n --jobs 1").status, 0);
+    const Outcome found = ctl("--json norms quality touch_targets --batch n");
+    ASSERT_EQ(found.status, 0) << found.err;
+    const auto of_batch = nlohmann::json::parse(found.out);
+    EXPECT_EQ(of_batch["score"]["experts"].get<int>() + of_batch["score"]["novices"].get<int>() +
+                  of_batch["score"]["not_attempted"].get<int>(),
+              4);
+    // The same points stand in the result, a seed a person.
+    ASSERT_EQ(batch("merge n").status, 0);
+    std::istringstream lines(read_text(file("n/result.jsonl")));
+    std::map<std::string, std::vector<double>> points;
+    for (std::string line; std::getline(lines, line);) {
+        const auto json = nlohmann::json::parse(line);
+        if (!json.contains("policy") || json["verdict"] == "not attempted") continue;
+        points[json["policy"]].push_back(json["points"]);
+    }
+    ASSERT_EQ(points["expert"].size(), 2U);
+    EXPECT_NEAR(of_batch["score"]["expert_median"].get<double>(),
+                (points["expert"][0] + points["expert"][1]) / 2, 1e-9);
+    EXPECT_EQ(of_batch["score"]["novices"], points["novice"].size());
+    EXPECT_GT(of_batch["metrics"].size(), 10U);
+}
+
 TEST_F(BatchPrograms, ADamagedShardIsFoundAndDoneAgain) {
     const std::string reference = whole("a");
     const std::string path = file("a/shards/000003.jsonl");

@@ -11,6 +11,7 @@ namespace placode::cli {
 void add_batch_commands(CLI::App& app, Context& context);
 void add_bench_tasks_command(CLI::App& bench, Context& context);
 void add_batch_forecast_command(CLI::App& batch, Context& context);
+void add_batch_keep_command(CLI::App& batch, Context& context);
 void add_batch_plan_command(CLI::App& batch, Context& context);
 void add_batch_queue_commands(CLI::App& batch, Context& context);
 

@@ -208,6 +208,7 @@ void add_batch_commands(CLI::App& app, Context& context) {
         "batch", "Much work in shards, here or on a cluster: rescoring, replays, rollouts");
     batch->require_subcommand(1);
     add_batch_plan_command(*batch, context);
+    add_batch_keep_command(*batch, context);
     add_batch_forecast_command(*batch, context);
     add_batch_queue_commands(*batch, context);
     auto options = std::make_shared<BatchOptions>();

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "batches/plan.h"
+#include "db/standards.h"
 #include "sim/core/counted.h"
 #include "ui/cli/batch.h"
 #include "ui/cli/progress.h"
@@ -54,17 +55,18 @@ void refuse_useless(const BatchPlanOptions& options) {
 
 /// Recordings out of the store, into the batch's own folder: a node of a cluster needs no access to
 /// the store.
-std::vector<fs::path> out_of_store(const Context& context, const BatchPlanOptions& options) {
+std::vector<batches::OrderedRecording> out_of_store(const Context& context,
+                                                    const BatchPlanOptions& options) {
     if (options.task.empty())
         throw InputError("--from-store: expected --task as well, whose attempts are meant");
     Session session(context, Missing::kRefuse);
     session.need(db::Action::kSetStandards, db::Scope::kOther);
     session.need(db::Action::kViewAttempts, db::Scope::kOther);
-    const std::string id = curriculum::load_task(options.task).id;
+    const curriculum::Task task = curriculum::load_task(options.task);
     const fs::path folder = fs::path(options.out) / "recordings";
     fs::create_directories(folder);
-    std::vector<fs::path> files;
-    const auto attempts = session.store().attempts().list(0, id);
+    std::vector<batches::OrderedRecording> files;
+    const auto attempts = session.store().attempts().list(0, task.id);
     for (const auto& attempt : attempts) {
         if (CancelOn::requested()) throw std::runtime_error("batch plan: stopped");
         show_progress("recording " + std::to_string(files.size() + 1) + " of " +
@@ -81,14 +83,18 @@ std::vector<fs::path> out_of_store(const Context& context, const BatchPlanOption
             continue;  // It was made without a recording.
         }
         fs::rename(part, folder / name);
-        files.push_back(folder / name);
+        files.push_back({folder / name, attempt.id, {}});
+        if (options.kind == "rescore")
+            files.back().pass_points =
+                db::rubric_at(session.store(), task, attempt.started_utc).pass_points;
     }
     clear_progress();
     if (files.empty())
-        throw InputError("--from-store: no attempts of " + id + " with a recording in " +
+        throw InputError("--from-store: no attempts of " + task.id + " with a recording in " +
                          session.store().url());
-    std::sort(files.begin(), files.end());
-    session.store().audit().write(session.actor(), "batch.extract", "task " + id,
+    std::sort(files.begin(), files.end(),
+              [](const auto& a, const auto& b) { return a.attempt < b.attempt; });
+    session.store().audit().write(session.actor(), "batch.extract", "task " + task.id,
                                   sim::counted(files.size(), "recording") + " for a batch");
     return files;
 }
@@ -123,8 +129,12 @@ batches::Manifest plan_of(const Context& context, const BatchPlanOptions& option
                          ": expected one of --recordings FOLDER and --from-store");
     batches::RecordingsOrder order;
     order.kind = options.kind;
-    order.recordings = options.from_store ? out_of_store(context, options)
-                                          : batches::recordings_in(options.recordings);
+    if (options.from_store) {
+        order.recordings = out_of_store(context, options);
+    } else {
+        for (const fs::path& file : batches::recordings_in(options.recordings))
+            order.recordings.push_back({file, 0, {}});
+    }
     order.task = options.kind == "rescore" ? options.task : "";
     order.metrics = options.metrics;
     order.threads = options.threads;

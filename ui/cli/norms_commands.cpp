@@ -343,8 +343,13 @@ void add_norms_commands(CLI::App& app, Context& context) {
     panel->add_option("--novices", of.novices, "Group");
     panel->add_option("--intermediates", of.intermediates, "Group that should lie between");
     panel->add_option("--experts", of.experts, "Group");
-    panel->add_option("--recordings", of.recordings,
-                      "Instead of groups: a folder with recordings of scripted operators");
+    CLI::Option* recordings =
+        panel->add_option("--recordings", of.recordings,
+                          "Instead of groups: a folder with recordings of scripted operators");
+    panel
+        ->add_option("--batch", of.batch,
+                     "Instead of groups: a batch of rollouts, planned with --metrics")
+        ->excludes(recordings);
     panel->add_option("--repeats", of.repeats, "Attempts a person that enter the ICC")
         ->check(CLI::Range(2, 100))
         ->capture_default_str();

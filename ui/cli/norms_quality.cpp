@@ -3,95 +3,14 @@
 #include "ui/cli/norms_quality.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <optional>
-#include <stdexcept>
 
 #include "assessment/known_groups.h"
-#include "assessment/signal.h"
-#include "db/norm_bands.h"
-#include "db/recording_file.h"
-#include "ui/cli/people.h"
+#include "ui/cli/norm_levels.h"
 
 namespace placode::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct Levels {
-    db::LevelAttempts novices, intermediates, experts;
-    int not_attempted = 0;
-};
-
-Levels levels_of_store(const Context& context, const QualityOptions& options) {
-    if (options.novices.empty() || options.experts.empty())
-        throw InputError("norms quality: give --novices and --experts, or --recordings FOLDER");
-    Session session(context, Missing::kRefuse);
-    session.need(db::Action::kSetStandards, db::Scope::kOther);
-    std::map<std::string, std::vector<int64_t>> people{
-        {"expert", find_group(session, options.experts).members},
-        {"novice", find_group(session, options.novices).members}};
-    if (!options.intermediates.empty())
-        people["intermediate"] = find_group(session, options.intermediates).members;
-    Levels found;
-    for (db::LevelAttempts& level : db::level_attempts(session.store(), options.task, people)) {
-        db::LevelAttempts& place = level.level == "expert"   ? found.experts
-                                   : level.level == "novice" ? found.novices
-                                                             : found.intermediates;
-        place = std::move(level);
-    }
-    return found;
-}
-
-/// One recording as a measured attempt; nothing when it is of another task or another device.
-std::optional<db::MeasuredAttempt> measured(const fs::path& file, const curriculum::Task& task,
-                                            Levels& levels, db::LevelAttempts*& level) {
-    sim::Recording recording;
-    try {
-        recording = db::read_recording_file(file.string());
-    } catch (const db::StoreError& error) {
-        throw InputError(error.what());
-    }
-    if (recording.header.task_id != task.id) return std::nullopt;
-    const std::string& device = recording.header.device;
-    level = device == "script:expert"         ? &levels.experts
-            : device == "script:intermediate" ? &levels.intermediates
-            : device == "script:novice"       ? &levels.novices
-                                              : nullptr;
-    if (level == nullptr) return std::nullopt;
-    db::MeasuredAttempt attempt;
-    attempt.metrics = assessment::compute_metrics(recording);
-    const auto score = assessment::score_attempt(task.rubric, attempt.metrics, recording);
-    attempt.record.task_id = task.id;
-    attempt.record.seed = recording.header.seed;
-    attempt.record.points = score.points;
-    attempt.record.verdict = score.verdict;
-    return attempt;
-}
-
-Levels levels_of_recordings(const QualityOptions& options) {
-    const curriculum::Task task = curriculum::load_task(options.task);
-    std::error_code problem;
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(options.recordings, problem))
-        if (entry.path().extension() == ".placode") files.push_back(entry.path());
-    if (problem) throw InputError("--recordings " + options.recordings + ": " + problem.message());
-    std::sort(files.begin(), files.end());
-    Levels levels;
-    for (const fs::path& file : files) {
-        db::LevelAttempts* level = nullptr;
-        auto attempt = measured(file, task, levels, level);
-        if (!attempt) continue;
-        if (attempt->record.verdict == assessment::Verdict::kNotAttempted) {
-            ++levels.not_attempted;
-            continue;
-        }
-        level->by_person[static_cast<int64_t>(attempt->record.seed)].push_back(std::move(*attempt));
-    }
-    return levels;
-}
-
-/// The share of attempts that passed.
+/// How many attempts passed.
 int passes(const db::LevelAttempts& level) {
     int n = 0;
     for (const auto& [person, attempts] : level.by_person)
@@ -165,8 +84,9 @@ std::string describe_score(const Levels& levels, Json& json) {
 }  // namespace
 
 int norms_quality(const Context& context, const QualityOptions& options) {
-    const Levels levels = options.recordings.empty() ? levels_of_store(context, options)
-                                                     : levels_of_recordings(options);
+    const Levels levels = !options.batch.empty()        ? levels_of_batch(options)
+                          : !options.recordings.empty() ? levels_of_recordings(options)
+                                                        : levels_of_store(context, options);
     Json json{{"task", options.task}, {"score", nullptr}, {"metrics", Json::array()}};
     const std::string score = describe_score(levels, json["score"]);
     std::vector<std::vector<std::string>> rows{

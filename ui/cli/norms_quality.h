@@ -15,6 +15,7 @@ struct QualityOptions {
     /// Folder with recordings of scripted operators: then the level is the operator's, a person is
     /// a seed, and the score is that of the present rubric.
     std::string recordings;
+    std::string batch;  ///< Folder of a batch of rollouts with metrics, likewise.
     int repeats = 2;
 };
 

@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl rescore | scores: old attempts under a new rubric, both scores kept.
 
-#include <array>
-#include <cmath>
 #include <memory>
-#include <set>
 
-#include "assessment/signal.h"
 #include "db/rescore.h"
-#include "sim/core/counted.h"
 #include "ui/cli/progress.h"
+#include "ui/cli/rescore_report.h"
 #include "ui/cli/session.h"
 
 namespace placode::cli {
@@ -21,24 +17,6 @@ struct RescoreCommandOptions {
     bool dry_run = false;
     int64_t attempt = 0;
 };
-
-bool has_new_score(const db::RescoreOutcome& one, bool dry_run) {
-    return one.state == db::RescoreState::kRescored ||
-           (dry_run && one.state == db::RescoreState::kAlreadyThere);
-}
-
-/// What old recordings cannot tell, once for all of them; --json says it for each.
-std::string lack_text(int attempts, const std::set<std::string>& metrics) {
-    if (attempts == 0) return {};
-    std::string text = "\n" + sim::counted(attempts, "recording") +
-                       ", older than these metrics or broken off, lack";
-    const char* between = ": ";
-    for (const std::string& metric : metrics) {
-        text += between + metric;
-        between = ", ";
-    }
-    return text;
-}
 
 int rescore(const Context& context, const RescoreCommandOptions& options) {
     Session session(context, Missing::kRefuse);
@@ -61,60 +39,7 @@ int rescore(const Context& context, const RescoreCommandOptions& options) {
     }
     clear_progress();
     const bool stopped = CancelOn::requested();
-    Json json{{"task", task.id},
-              {"rubric", task.rubric.id},
-              {"rubric_version", task.rubric.version},
-              {"metric_set_version", assessment::kMetricSetVersion},
-              {"preprocessing_version", assessment::kPreprocessingVersion},
-              {"dry_run", options.dry_run},
-              {"cancelled", stopped},
-              {"attempts", Json::array()}};
-    std::vector<std::vector<std::string>> rows{
-        {"attempt", "first score", "under this rubric", "difference", "verdict", "state"}};
-    int scored = 0, verdicts = 0, lack = 0;
-    std::set<std::string> lacking;
-    double largest = 0;
-    for (const auto& one : outcomes) {
-        Json entry{{"attempt", one.attempt_id},
-                   {"state", db::rescore_state_name(one.state)},
-                   {"first_points", one.old_points},
-                   {"first_verdict", assessment::verdict_name(one.old_verdict)}};
-        std::vector<std::string> row{std::to_string(one.attempt_id),
-                                     fixed(one.old_points, 2),
-                                     "-",
-                                     "-",
-                                     assessment::verdict_name(one.old_verdict),
-                                     db::rescore_state_name(one.state)};
-        if (has_new_score(one, options.dry_run)) {
-            ++scored;
-            largest = std::max(largest, std::abs(one.new_points - one.old_points));
-            verdicts += one.new_verdict != one.old_verdict ? 1 : 0;
-            entry["points"] = one.new_points;
-            entry["verdict"] = assessment::verdict_name(one.new_verdict);
-            row[2] = fixed(one.new_points, 2);
-            row[3] = fixed(one.new_points - one.old_points, 2);
-            if (one.new_verdict != one.old_verdict)
-                row[4] += std::string(" -> ") + assessment::verdict_name(one.new_verdict);
-        }
-        if (!one.lacks.empty()) {
-            entry["lacks"] = one.lacks;
-            lacking.insert(one.lacks.begin(), one.lacks.end());
-            ++lack;
-        }
-        if (!one.problem.empty()) entry["problem"] = one.problem;
-        json["attempts"].push_back(std::move(entry));
-        rows.push_back(std::move(row));
-    }
-    json["scored"] = scored;
-    json["verdicts_changed"] = verdicts;
-    json["largest_difference"] = largest;
-    print(context, json,
-          (rows.size() == 1 ? std::string("no attempts of ") + task.id + "\n" : table(rows)) +
-              std::to_string(scored) + (options.dry_run ? " would get" : " got") +
-              " a score under " + task.rubric.id + " version " +
-              std::to_string(task.rubric.version) + ", " + std::to_string(verdicts) +
-              " verdicts differ, largest difference " + fixed(largest, 2) +
-              (stopped ? "; cancelled, what is done is kept" : "") + lack_text(lack, lacking));
+    print_rescores(context, task, outcomes, {options.dry_run, stopped});
     return stopped ? 1 : 0;
 }
 

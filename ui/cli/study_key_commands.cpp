@@ -8,6 +8,7 @@
 
 #include "db/participant_key.h"
 #include "ui/cli/session.h"
+#include "ui/cli/study_options.h"
 #include "ui/cli/study_records.h"
 
 namespace placode::cli {

@@ -9,6 +9,7 @@
 #include "db/study_conduct.h"
 #include "db/study_records.h"
 #include "ui/cli/session.h"
+#include "ui/cli/study_options.h"
 #include "ui/cli/study_records.h"
 
 namespace placode::cli {
