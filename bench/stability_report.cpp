@@ -10,7 +10,7 @@ namespace placode::bench {
 
 std::string recovery_text(const sim::StabilityResult& result) {
     const bool back = result.verdict == sim::StabilityVerdict::kRecovers ||
-                      result.verdict == sim::StabilityVerdict::kReseeded;
+                      result.verdict == sim::StabilityVerdict::kRestored;
     return back ? sim::fixed_text(result.seconds, 2) + " s" : "";
 }
 

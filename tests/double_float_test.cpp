@@ -32,9 +32,9 @@ SoftBodySpec block_spec(Method method, const Vec3& away) {
 }
 
 /// As stretched by 10 % along x.
-SoftBodyState stretched(const SoftBody& body, bool low_parts) {
+SoftBodyState stretched(const SoftBody& body, bool double_float) {
     SoftBodyState state(body);
-    if (low_parts) keep_low_parts(state);
+    if (double_float) use_double_float(state);
     for (int v = 0; v < body.vertex_count(); ++v) {
         Vec3 place = body.mesh().rest[as_index(v)];
         place.x() *= 1.1;
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, LowParts,
 TEST_P(LowParts, AVertexIsWhereItWasPutAndMovedTo48Bits) {
     const SoftBody body(block_spec(GetParam(), Vec3::Zero()));
     SoftBodyState state(body);
-    keep_low_parts(state);
+    use_double_float(state);
     const Vec3 place(0.1234567890123456, -0.7, 3e-9), step(1e-12, -3e-11, 1e-15);
     put_vertex(state, 5, place);
     EXPECT_LT((exact_position(state, 5) - place).norm(), 1e-15 * 0.71 * 4);  // 2^-48 = 3.6e-15
@@ -91,7 +91,7 @@ TEST_P(LowParts, ABodyFallsFarFromTheOriginHoweverShortTheStep) {
     Workers workers(1);
     for (const bool low : {true, false}) {
         SoftBodyState state(body);
-        if (low) keep_low_parts(state);
+        if (low) use_double_float(state);
         const Vec3 before = centre(body, state);
         run_substeps(body, state, static_cast<int>(n), workers);
         const double fallen = (centre(body, state) - before).z();
@@ -170,7 +170,7 @@ TEST_P(LowParts, ConserveTheMomentumThatTheMethodConserves) {
 TEST_P(LowParts, AVertexThatIsNotFiniteComesBack) {
     const SoftBody body(block_spec(GetParam(), Vec3::Zero()));
     SoftBodyState state(body);
-    keep_low_parts(state);
+    use_double_float(state);
     Workers workers(1);
     run_substeps(body, state, 10, workers);
     const Vec3 good = exact_position(state, 20);

@@ -458,7 +458,7 @@ TEST(Sheet, ASheetShrunkToAPointIsGivenItsRestShape) {
     const SoftBody body(grid(3, 3, 1e-3));
     SoftBodyState state(body);
     for (Float4& p : state.x) p = {1e-3F, 1e-3F, 0, p.w};
-    EXPECT_EQ(reseed_collapsed(body, state), body.vertex_count());
+    EXPECT_EQ(restore_collapsed(body, state), body.vertex_count());
     for (int v = 1; v < body.vertex_count(); ++v) {
         const Float4 &p = state.x[as_index(v)], &q = state.x[0];
         const Vec3 rest = body.mesh().rest[as_index(v)] - body.mesh().rest[0];

@@ -174,7 +174,7 @@ TEST(Solve, RefusesMethodsAtStepsWhereTheyAreNotValid) {
     EXPECT_THAT(forced.warnings, ::testing::Contains(HasSubstr("not valid")));
 }
 
-TEST(Solve, ABodyLetGoFromALongStretchSwingsInsteadOfBeingReseeded) {
+TEST(Solve, ABodyLetGoFromALongStretchSwingsInsteadOfBeingRestored) {
     // It stands still at the start, and far from its rest shape; with 256 substeps the kernels' own
     // units make every motion slow as well.
     for (const auto& [method, substeps] : {std::pair{"vbd", 8}, {"xpbd", 16}, {"xpbd", 256}}) {

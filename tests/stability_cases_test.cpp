@@ -37,12 +37,12 @@ TEST(StabilityCases, AScrambledBlockComesBackOrIsTakenOutOfItsFold) {
     expect_comes_back("random cube", Method::kXpbd);
     // Descent ends in another minimum: tets folded through each other, none of them inverted. There
     // it is given its rest shape, and says so.
-    EXPECT_EQ(run("random cube", Method::kVbd).verdict, StabilityVerdict::kReseeded);
+    EXPECT_EQ(run("random cube", Method::kVbd).verdict, StabilityVerdict::kRestored);
 }
 
 TEST(StabilityCases, ABlockThatIsOnePointIsGivenItsRestShapeAndSaysSo) {
-    EXPECT_EQ(run("exact point", Method::kVbd).verdict, StabilityVerdict::kReseeded);
-    EXPECT_EQ(run("exact point", Method::kXpbd).verdict, StabilityVerdict::kReseeded);
+    EXPECT_EQ(run("exact point", Method::kVbd).verdict, StabilityVerdict::kRestored);
+    EXPECT_EQ(run("exact point", Method::kXpbd).verdict, StabilityVerdict::kRestored);
 }
 
 TEST(StabilityCases, SliversHoldAndWhatWouldTrembleIsRefusedWithItsNumbers) {

@@ -309,15 +309,15 @@ TEST_P(SubstepByMethod, ABodyShrunkToAPointIsSeededFromItsRestShape) {
     spec.solver.gravity_m_s2.setZero();
     const SoftBody body(std::move(spec));
     SoftBodyState state(body);
-    EXPECT_EQ(reseed_collapsed(body, state), 0);
-    EXPECT_EQ(state.flags & kReseed, 0u);
+    EXPECT_EQ(restore_collapsed(body, state), 0);
+    EXPECT_EQ(state.flags & kRestShapeRestored, 0u);
     for (Float4& x : state.x) x = {0.25F, 0, 0, x.w};
     Workers workers(1);
     run_substeps(body, state, 20, workers);
     EXPECT_LT((Vec3(state.x[0].x, state.x[0].y, state.x[0].z) - Vec3(0.25, 0, 0)).norm(), 1e-6)
         << "a point cannot leave its state by itself";
-    EXPECT_EQ(reseed_collapsed(body, state), body.vertex_count());
-    EXPECT_NE(state.flags & kReseed, 0u);
+    EXPECT_EQ(restore_collapsed(body, state), body.vertex_count());
+    EXPECT_NE(state.flags & kRestShapeRestored, 0u);
     for (const auto& tet : body.mesh().tets) {
         const auto edge = [&](auto&& at) { return (at(tet[1]) - at(tet[0])).norm(); };
         const double now = edge([&](int32_t v) {

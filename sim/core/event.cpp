@@ -39,7 +39,7 @@ std::string_view event_name(EventKind kind) noexcept {
             return "substeps";
         case EventKind::kStateHash:
             return "state_hash";
-        case EventKind::kReseeded:
+        case EventKind::kRestored:
             return "reseeded";
         case EventKind::kFinished:
             return "finished";

@@ -33,7 +33,7 @@ enum class EventKind : uint16_t {
     kTetherBroken = 14,  ///< value = force [N]
     kSubsteps = 15,      ///< value = new number of substeps (under load)
     kStateHash = 16,     ///< hash = state_hash, once a second and at the end
-    kReseeded = 17,      ///< element recovered from its rest shape
+    kRestored = 17,      ///< element recovered from its rest shape
     kFinished = 18,      ///< the operator declared the task done
     kGrasped = 19,       ///< jaws closed on tissue: value = vertices held, value2 = jaw force [N]
     kReleased = 20,      ///< jaws let go: value = seconds held, value2 = peak traction [N]
@@ -136,12 +136,12 @@ struct Event {
 
 /// Bits of StepReport::flags.
 enum StepFlag : uint32_t {
-    kNotFinite = 1u << 0,        ///< A vertex was not finite and was put back.
-    kStepLimited = 1u << 1,      ///< A vertex hit the step limit (1/4 of its shortest edge).
-    kContactsDropped = 1u << 2,  ///< More contacts than the scene's capacity.
-    kEventsDropped = 1u << 3,    ///< More events in one frame than State can hold.
-    kReseed = 1u << 4,           ///< A collapsed element was re-seeded from rest.
-    kCutRefused = 1u << 5,       ///< No room for a split: raise the scene's spare vertices.
+    kNotFinite = 1u << 0,          ///< A vertex was not finite and was put back.
+    kStepLimited = 1u << 1,        ///< A vertex hit the step limit (1/4 of its shortest edge).
+    kContactsDropped = 1u << 2,    ///< More contacts than the scene's capacity.
+    kEventsDropped = 1u << 3,      ///< More events in one frame than State can hold.
+    kRestShapeRestored = 1u << 4,  ///< A collapsed element was put back into its rest shape.
+    kCutRefused = 1u << 5,         ///< No room for a split: raise the scene's spare vertices.
 };
 
 }  // namespace placode::sim

@@ -262,10 +262,10 @@ void ledger_body(const Scene& scene, State& state) noexcept {
         e.value = static_cast<float>(state.substeps);
         add_event(state, e);
     }
-    if (state.flags & kReseed) {
+    if (state.flags & kRestShapeRestored) {
         Event e;
         e.time_s = state.time_s;
-        e.kind = EventKind::kReseeded;
+        e.kind = EventKind::kRestored;
         add_event(state, e);
     }
 }

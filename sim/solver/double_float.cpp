@@ -15,7 +15,7 @@ namespace {
 
 }  // namespace
 
-void keep_low_parts(SoftBodyState& state) {
+void use_double_float(SoftBodyState& state) {
     state.x_low.resize(state.x.size());
     state.x_start_low.resize(state.x.size());
 }

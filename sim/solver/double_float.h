@@ -12,7 +12,7 @@ namespace placode::sim {
 /// From now on the sweeps of tets and vertices, and the begin and end of a substep, carry low
 /// parts (`SoftBodyState::x_low`). Anchor springs and tethers read the rounded position, and so do
 /// sheets in vertices that are solved one by one.
-void keep_low_parts(SoftBodyState& state);
+void use_double_float(SoftBodyState& state);
 
 /// Where a vertex is now [m], with its low part if there is one.
 [[nodiscard]] inline Vec3 exact_position(const SoftBodyState& state, int vertex) noexcept {

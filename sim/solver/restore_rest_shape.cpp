@@ -150,7 +150,7 @@ void unfold(const SoftBody& body, SoftBodyState& state, size_t count,
     }
 }
 
-int reseed_folded(const SoftBody& body, SoftBodyState& state, double slow_m_s) noexcept {
+int restore_folded(const SoftBody& body, SoftBodyState& state, double slow_m_s) noexcept {
     int placed = 0;
     for (size_t first = 0; first < state.free_vertex.size(); ++first) {
         if (state.free_vertex[first] != 1) continue;
@@ -227,8 +227,8 @@ int place_at_rest(const SoftBody& body, SoftBodyState& state, size_t count) noex
 
 }  // namespace
 
-int reseed_collapsed(const SoftBody& body, SoftBodyState& state, double slow_m_s) noexcept {
-    int placed = reseed_folded(body, state, slow_m_s);
+int restore_collapsed(const SoftBody& body, SoftBodyState& state, double slow_m_s) noexcept {
+    int placed = restore_folded(body, state, slow_m_s);
     for (int t = 0; t < body.tet_count(); ++t) {
         if (!collapsed(body, state, t)) continue;
         const size_t count = gather_collapsed(body, state, corners(body, state, t));
@@ -239,7 +239,7 @@ int reseed_collapsed(const SoftBody& body, SoftBodyState& state, double slow_m_s
         placed += place_at_rest(body, state, gather_collapsed(body, state, t.v));
     }
     if (placed > 0) {
-        state.flags |= kReseed;
+        state.flags |= kRestShapeRestored;
         rouse_all(state);
     }
     return placed;

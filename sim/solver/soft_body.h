@@ -217,7 +217,7 @@ struct SoftBodyState {
     std::vector<Float4> x_low, x_start_low;
     AlignedVector<float> lanes;     ///< Private to the kernels (per-lane element switches).
     AlignedVector<float> springs;   ///< Anchor springs and loads; see set_load().
-    std::vector<int32_t> scratch;   ///< Private to reseed_collapsed (V).
+    std::vector<int32_t> scratch;   ///< Private to restore_collapsed (V).
     std::vector<uint8_t> seen_tet;  ///< Private to update_free_vertices (T).
     TopologyPointer topology;       ///< Only in bodies with spare vertices.
     AwakeRuns awake;

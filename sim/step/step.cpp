@@ -29,7 +29,7 @@ namespace placode::sim {
 namespace {
 
 constexpr int kLooseInterval = 128;      // frames between two searches for loose tissue
-constexpr int kReseedInterval = 256;     // frames between two searches for collapsed tissue
+constexpr int kRestoreInterval = 256;    // frames between two searches for collapsed tissue
 constexpr double kTipSearch = 0.003;     // the tip's gap is measured up to here [m]
 constexpr double kHintSlack = 1 + 1e-9;  // of a distance squared that was found before
 constexpr double kFrameMotion = 0.0005;  // of the tissue in a frame [m]
@@ -279,7 +279,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     costs.charge(kCut);
     doze(scene, state);
     // Tissue shrunk to a point feels no force and raises no flag: it has to be looked for.
-    if (state.frame % kReseedInterval == 0) reseed_collapsed(scene.body, state.body);
+    if (state.frame % kRestoreInterval == 0) restore_collapsed(scene.body, state.body);
     state.flags |= state.body.flags;
     update_ledger(scene, state, active, frame_s);
     costs.charge(kRest);

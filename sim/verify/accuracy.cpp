@@ -28,7 +28,7 @@ void set_text(std::string& text, const char* to) { text = std::string(to); }
 void use_method(VerificationScene& scene, const MethodChoice& choice) {
     scene.solver.method = choice.method;
     scene.solver.substeps = choice.substeps;
-    scene.solver.single_precision = !choice.low_parts;
+    scene.solver.single_precision = !choice.double_float;
 }
 
 HeldRegion held_plane(int axis, double at_m, uint8_t axes, const std::string& pointer) {

@@ -32,7 +32,7 @@ void set_text(std::string& text, const char* to);
 struct MethodChoice {
     SolveMethod method = SolveMethod::kVbd;
     int substeps = 1;
-    bool low_parts = false;
+    bool double_float = false;
 };
 void use_method(VerificationScene& scene, const MethodChoice& choice);
 [[nodiscard]] HeldRegion held_plane(int axis, double at_m, uint8_t axes,

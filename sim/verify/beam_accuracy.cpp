@@ -12,7 +12,7 @@ namespace {
 struct Choice {
     SolveMethod method;
     std::vector<int> substeps;
-    bool low_parts = false;
+    bool double_float = false;
 };
 
 /// 40 x 10 x 10 mm, 5 kPa; gravity so that the tip sinks by about 20 % of the length.
@@ -41,7 +41,7 @@ void static_cantilever(AccuracyTable& table, double edge_m, double nu,
         // vbd comes to rest late where the Courant number is large, nu 0.49 after 4 s.
         scene.end_s = choice.method == SolveMethod::kVbd ? 6.0 : 1.2;
         for (const int substeps : choice.substeps) {
-            use_method(scene, {choice.method, substeps, choice.low_parts});
+            use_method(scene, {choice.method, substeps, choice.double_float});
             const SolveResult result = solve(scene);
             AccuracyRow row = row_of(scene, result, "cantilever, static", setting(edge_m, nu),
                                      "displacement against newton on the same mesh (L2)", edge_m);
@@ -64,7 +64,7 @@ void moving_cantilever(AccuracyTable& table, double edge_m, int reference_subste
     for (const Choice& choice : choices) {
         std::vector<AccuracyRow> rows;
         for (const int substeps : choice.substeps) {
-            use_method(scene, {choice.method, substeps, choice.low_parts});
+            use_method(scene, {choice.method, substeps, choice.double_float});
             const SolveResult result = solve(scene);
             double off = 0, size = 0;
             for (size_t i = 0; i < result.probe_m.size() && i < reference.probe_m.size(); ++i) {

@@ -122,7 +122,7 @@ class Run {
         const double omega = setup.body->highest_frequency_rad_s();
         check_step(setup, omega, out);
         dynamics_.x = setup.start;
-        reseed();
+        restore();
         if (setup.contacts) k_ = contact_stiffness(setup, omega, out);
         force_.assign(setup.scene.spheres.size(), Vec3::Zero());
     }
@@ -170,7 +170,7 @@ class Run {
     }
 
  private:
-    void reseed() {
+    void restore() {
         const StartShape& s = setup_.scene.start;
         if (s.kind != StartKind::kPoint || s.amount < 0.999) return;
         dynamics_.x = setup_.body->rest();

@@ -53,7 +53,7 @@ class FastRun {
           modes_(setup, body_, state_, h_body_),
           workers_(setup.scene.solver.threads) {
         out.kernels = kernel_target();
-        if (!setup.scene.solver.single_precision) keep_low_parts(state_);
+        if (!setup.scene.solver.single_precision) use_double_float(state_);
         for (int v = 0; v < body_.vertex_count(); ++v) {
             put_vertex(state_, v, units_.place(setup.start.segment<3>(3 * v)));
             if (setup.held[as_index(v)] != 0) held_.push_back(v);
@@ -148,11 +148,11 @@ class FastRun {
     void start_frame() {
         special_.start_frame();
         state_.backward = false;
-        // Slow against the waves of this tissue, as kReseedSlow is in soft tissue of 5 kPa.
+        // Slow against the waves of this tissue, as kRestoreSlow is in soft tissue of 5 kPa.
         const Material& m = setup_.scene.material;
         const double slow =
-            kReseedSlow / std::sqrt(5.0) * std::sqrt(m.youngs_modulus_pa / m.density_kg_m3);
-        const int placed = reseed_collapsed(body_, state_, slow * units_.speed());
+            kRestoreSlow / std::sqrt(5.0) * std::sqrt(m.youngs_modulus_pa / m.density_kg_m3);
+        const int placed = restore_collapsed(body_, state_, slow * units_.speed());
         if (placed > 0)
             out_.warnings.push_back("t = " + rounded_text(time_, 4) +
                                     " s: " + std::to_string(placed) +

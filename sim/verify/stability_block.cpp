@@ -93,14 +93,14 @@ void BlockWatch::look(double time, const BlockShape& shape) {
     if (!shape.finite) never_finite_ = true;
 }
 
-void BlockWatch::finish(StabilityResult& result, bool reseeded) const {
+void BlockWatch::finish(StabilityResult& result, bool restored) const {
     result.error = last_.worst_edge;
     result.seconds = std::max(back_, 0.0);
     if (never_finite_ || back_ < 0) {
         result.verdict = StabilityVerdict::kFails;
         result.detail = never_finite_ ? "not finite" : "at the end " + describe(last_);
     } else {
-        result.verdict = reseeded ? StabilityVerdict::kReseeded
+        result.verdict = restored ? StabilityVerdict::kRestored
                          : left_  ? StabilityVerdict::kRecovers
                                   : StabilityVerdict::kHolds;
     }

@@ -46,7 +46,7 @@ struct BlockShape {
 class BlockWatch {
  public:
     void look(double time, const BlockShape& shape);
-    void finish(StabilityResult& result, bool reseeded) const;
+    void finish(StabilityResult& result, bool restored) const;
 
  private:
     BlockShape last_;

@@ -20,7 +20,7 @@ namespace placode::sim {
 namespace {
 
 constexpr double kCheck = 0.01;  // between two looks [s]
-constexpr double kReseedEvery = 0.256;
+constexpr double kRestoreEvery = 0.256;
 
 void put(SoftBodyState& state, size_t v, const Vec3& p) {
     state.x[v] = {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()),
@@ -40,18 +40,18 @@ void run_block(StabilityResult& result, const StabilityBlock& block, Method meth
     const double h = s.frame_s / s.substeps;
     const auto count = static_cast<int64_t>(seconds / h);
     const auto look = std::max<int64_t>(1, static_cast<int64_t>(kCheck / h));
-    const auto search = std::max<int64_t>(1, static_cast<int64_t>(kReseedEvery / h));
+    const auto search = std::max<int64_t>(1, static_cast<int64_t>(kRestoreEvery / h));
     BlockWatch watch;
     watch.look(0, shape_of(body, state));
-    bool reseeded = false;
+    bool restored = false;
     for (int64_t n = 1; n <= count; ++n) {
         begin_substep(body, state, h, workers);
         for (int i = 0; i < s.iterations; ++i) sweep(body, state, h, workers);
         end_substep(body, state, h, workers);
-        if (n % search == 0) reseeded |= reseed_collapsed(body, state) > 0;
+        if (n % search == 0) restored |= restore_collapsed(body, state) > 0;
         if (n % look == 0) watch.look(static_cast<double>(n) * h, shape_of(body, state));
     }
-    watch.finish(result, reseeded);
+    watch.finish(result, restored);
 }
 
 /// StabilityBlock with probes of 1 mm radius and a hand of 600 N/m.
@@ -247,7 +247,7 @@ const char* verdict_name(StabilityVerdict verdict) noexcept {
             return "holds";
         case StabilityVerdict::kRecovers:
             return "recovers";
-        case StabilityVerdict::kReseeded:
+        case StabilityVerdict::kRestored:
             return "re-seeded";
         case StabilityVerdict::kRefused:
             return "refused at load";

@@ -15,7 +15,7 @@ namespace placode::sim {
 enum class StabilityVerdict : uint8_t {
     kHolds,     ///< Never left its bounds.
     kRecovers,  ///< Back within its bounds after `seconds`, to the end.
-    kReseeded,  ///< As above, after it was given its rest shape (an event says so).
+    kRestored,  ///< As above, after it was given its rest shape (an event says so).
     kRefused,   ///< Not built: `detail` is the reason with its numbers.
     kFails,     ///< `detail` says how.
 };
