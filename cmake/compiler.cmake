@@ -21,7 +21,8 @@ endif()
 add_compile_definitions(QT_NO_KEYWORDS)
 if(PLACODE_SANITIZER)
   # CMake's RelWithDebInfo defines NDEBUG; preconditions are to be checked here.
-  add_compile_options(-fsanitize=${PLACODE_SANITIZER} -fno-omit-frame-pointer -O1 -g1 -UNDEBUG)
+  add_compile_options(-fsanitize=${PLACODE_SANITIZER} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer -O1 -g1 -UNDEBUG)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
   add_link_options(-fsanitize=${PLACODE_SANITIZER})
 endif()
@@ -36,7 +37,7 @@ endif()
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1 -D_GLIBCXX_ASSERTIONS")
 
 # What nearly every file of a library includes is parsed once. Half of the time to compile goes
-# into it otherwise; every file still names what it uses (the preset asan builds without).
+# into it otherwise; every file still names what it uses (the preset tsan builds without).
 option(PLACODE_PRECOMPILED_HEADERS "Parse the common headers once for a library" ON)
 set(standard_headers <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <optional> <span> <string>
   <string_view> <vector>)

@@ -5,7 +5,8 @@
 # Checks that the test suite does not make. Each ends with an error when something is wrong.
 #   scripts/check.sh format            clang-format over every C++ file
 #   scripts/check.sh tidy [COMMITS]    clang-tidy over what the last COMMITS (10) changed, at most 12 files
-#   scripts/check.sh asan|tsan|debug   physics, haptics, scoring and tasks with a sanitizer or assertions
+#   scripts/check.sh asan|debug        physics, haptics, scoring and tasks with sanitizers or assertions
+#   scripts/check.sh tsan              what has threads, with the thread sanitizer
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mkdir -p build
@@ -36,21 +37,24 @@ check_tidy() {
   echo "check.sh: tidy: ${files[*]}"
 }
 
+# check_build PRESET TARGET LABEL [TESTS LEFT OUT]
 check_build() {
   local preset=$1 log=build/$1.log
   cmake --preset "$preset" >"$log" 2>&1 || { tail -n 15 "$log"; return 1; }
   echo "check.sh: $preset: building"
-  ninja -C "build/$preset" core_tests >"$log" 2>&1 || { grep -E -m 5 'error|FAILED' "$log"; return 1; }
-  # Whole attempts of scripted operators take too long here, and other tests take the same paths.
-  ctest --test-dir "build/$preset" -L core -E "$slow" -j "$(nproc)" --timeout 900 --output-on-failure >"$log" 2>&1 ||
+  ninja -C "build/$preset" "$2" >"$log" 2>&1 || { grep -E -m 5 'error|FAILED' "$log"; return 1; }
+  echo "check.sh: $preset: built in $SECONDS s"
+  ctest --test-dir "build/$preset" -L "$3" -E "${4:-^$}" -j "$(nproc)" --timeout 900 --output-on-failure >"$log" 2>&1 ||
     { grep -E -A 30 -m 3 'ERROR: |WARNING: Thread|runtime error|Assertion|\*\*\*' "$log"; return 1; }
   grep 'tests passed' "$log"
 }
+# Whole attempts of scripted operators take too long here, and other tests take the same paths.
 slow='operator_levels_test|lift_operator_test|practice_operator_test|mouse_person_device_test|whole_state_test|frame_allocation_test'
 
 case "${1:-}" in
   format) check_format ;;
   tidy) check_tidy "${2:-}" ;;
-  asan | tsan | debug) check_build "$1" ;;
+  asan | debug) check_build "$1" core_tests core "$slow" ;;
+  tsan) check_build tsan threaded_tests threads ;;
   *) sed -n 's/^#   //p' "$0"; exit 2 ;;
 esac
