@@ -27,6 +27,11 @@ void write_tet_row(const TetConstants& constants, float* row) noexcept;
 void set_vertex_weights(const SoftBody& body, const KernelLayout& packed,
                         std::span<const uint8_t> tet_alive, int v, float* lanes) noexcept;
 
+/// Weights of edges and damping of vertices.
+void pack_vertex_constants(const SoftBody& body, KernelLayout& packed);
+/// Tethers of every vertex, and which vertices are solved alone for theirs.
+void pack_tethers(const SoftBody& body, KernelLayout& packed);
+
 /// Makes constants, links and batches of vertices for VBD.
 void pack_vertices(const SoftBody& body, KernelLayout& packed);
 

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -10,6 +9,7 @@
 #include "sim/mesh/space_order.h"
 #include "sim/solver/kernel_layout_parts.h"
 #include "sim/solver/link_strip.h"
+#include "sim/solver/spring_sums.h"
 #include "sim/solver/sweep_plan.h"
 #include "sim/solver/vertex_plan.h"
 
@@ -28,10 +28,9 @@ class VertexPacker {
         : body_(body), out_(out), place_(hilbert_keys(body.mesh().rest)) {}
 
     void run() {
-        make_constants();
-        make_tethers();
+        pack_vertex_constants(body_, out_);
+        pack_tethers(body_, out_);
         make_sheet();
-        make_springs();
         make_strips();
         make_plan();
         out_.slot.resize(as_index(body_.vertex_count()));
@@ -54,70 +53,6 @@ class VertexPacker {
     }
 
  private:
-    void make_constants() {
-        const int tets = body_.tet_count();
-        out_.edge_weight_n_m.resize(6 * as_index(tets));
-        for (int t = 0; t < tets; ++t) {
-            const TetConstants k = tet_constants(body_.spec(), t);
-            for (size_t e = 0; e < 6; ++e) {
-                out_.edge_weight_n_m[6 * as_index(t) + e] =
-                    static_cast<float>(k.material.mu_pa * k.volume_m3 * k.a[e]);
-            }
-        }
-        out_.damping_per_s.assign(as_index(body_.vertex_count()), 0.0F);
-        for (int v = 0; v < body_.vertex_count(); ++v) {
-            double damping = 0, mass = 0;
-            for (const int32_t t : body_.tets_of(v)) {
-                const auto& m =
-                    body_.spec()
-                        .materials[as_index(static_cast<int>(body_.mesh().tissue[as_index(t)]))];
-                const double share = m.density_kg_m3 * body_.volume_m3()[as_index(t)];
-                damping += share * m.damping_per_s;
-                mass += share;
-            }
-            out_.damping_per_s[as_index(v)] = static_cast<float>(damping / mass);
-        }
-        if (!body_.spec().sheet.empty()) add_sheet_damping();
-    }
-
-    /// The same mean with the sheet's mass; vertices without tets have no other.
-    void add_sheet_damping() {
-        std::vector<double> damping(as_index(body_.vertex_count()), 0.0);
-        for (int t = 0; t < body_.tet_count(); ++t) {
-            const auto& m =
-                body_.spec()
-                    .materials[as_index(static_cast<int>(body_.mesh().tissue[as_index(t)]))];
-            for (const int32_t v : body_.mesh().tets[as_index(t)])
-                damping[as_index(v)] +=
-                    m.density_kg_m3 * body_.volume_m3()[as_index(t)] / 4 * m.damping_per_s;
-        }
-        for (const SheetTriangle& t : body_.spec().sheet) {
-            const auto& m = body_.spec().materials[as_index(static_cast<int>(t.tissue))];
-            const double mass = m.density_kg_m3 * area_of(body_.mesh().rest, t) * t.thickness_m / 3;
-            for (const int32_t v : t.vertex) damping[as_index(v)] += mass * m.damping_per_s;
-        }
-        for (const SheetTriangle& t : body_.spec().sheet) {
-            for (const int32_t v : t.vertex)
-                out_.damping_per_s[as_index(v)] =
-                    static_cast<float>(damping[as_index(v)] / body_.mass_kg()[as_index(v)]);
-        }
-    }
-
-    void make_tethers() {
-        const auto& tethers = body_.spec().tethers;
-        std::vector<std::vector<int32_t>> of(as_index(body_.vertex_count()));
-        for (size_t i = 0; i < tethers.size(); ++i) {
-            for (const int32_t v : tethers[i].vertex)
-                of[as_index(v)].push_back(static_cast<int32_t>(i));
-        }
-        out_.tether_start.push_back(0);
-        for (size_t v = 0; v < of.size(); ++v) {
-            out_.tether_of.insert(out_.tether_of.end(), of[v].begin(), of[v].end());
-            out_.tether_start.push_back(static_cast<int32_t>(out_.tether_of.size()));
-            if (!of[v].empty()) out_.single_vertices.push_back(static_cast<int32_t>(v));
-        }
-    }
-
     void make_sheet() {
         if (body_.spec().sheet.empty()) return;
         out_.sheet = sheet_elements(body_.spec());
@@ -167,31 +102,6 @@ class VertexPacker {
                            static_cast<int32_t>(b), strips);
             }
             strips.colour_start.push_back(static_cast<int32_t>(strips.batches.size()));
-        }
-    }
-
-    /// Sums the springs of each vertex: force = -(K (x - rest) + f0), f0 in double.
-    void make_springs() {
-        spring_of_.assign(as_index(body_.vertex_count()), -1);
-        for (const AnchorSpring& s : body_.spec().springs) {
-            int32_t& slot = spring_of_[as_index(s.vertex)];
-            if (slot < 0) {
-                slot = static_cast<int32_t>(spring_k_.size());
-                spring_k_.push_back(Mat3::Zero());
-                spring_f_.push_back(Vec3::Zero());
-            }
-            const Vec3 n = s.normal.normalized();
-            const Mat3 k = s.tangent_n_m * Mat3::Identity() +
-                           (s.normal_n_m - s.tangent_n_m) * n * n.transpose();
-            // The kernels measure from the float image of the rest position.
-            const Vec3 rest = body_.mesh().rest[as_index(s.vertex)].cast<float>().cast<double>();
-            spring_k_[as_index(slot)] += k;
-            spring_f_[as_index(slot)] += k * (rest - s.anchor);
-        }
-        for (int v = 0; v < body_.vertex_count(); ++v) {
-            const int32_t slot = spring_of_[as_index(v)];
-            if (slot >= 0 && !spring_k_[as_index(slot)].isZero(0))
-                out_.spring_vertices.push_back(v);
         }
     }
 
@@ -265,7 +175,7 @@ class VertexPacker {
                                    : kStepsOfATriangle * fans_->steps(v));
         };
         std::stable_sort(members.begin(), members.end(), [&](int32_t a, int32_t b) {
-            const bool sa = spring_of_[as_index(a)] >= 0, sb = spring_of_[as_index(b)] >= 0;
+            const bool sa = springs_.holds(a), sb = springs_.holds(b);
             return sa != sb ? sa : work(a) > work(b);
         });
         for (size_t i = 0; i < members.size(); i += kClass) {
@@ -355,7 +265,7 @@ class VertexPacker {
             }
             if (used) fill_lane(b, lane, v);
         }
-        add_springs(b);
+        springs_.add(body_, b, out_);
         out_.batches.push_back(b);
     }
 
@@ -380,42 +290,16 @@ class VertexPacker {
         }
     }
 
-    void add_springs(VertexBatch& b) {
-        const bool any = std::any_of(b.vertex.begin(), b.vertex.begin() + b.count,
-                                     [&](int32_t v) { return spring_of_[as_index(v)] >= 0; });
-        if (!any) return;
-        b.spring_start = static_cast<int64_t>(out_.springs.size());
-        out_.springs.resize(out_.springs.size() + kSpringRows * kLanes, 0.0F);
-        for (size_t lane = 0; lane < as_index(b.count); ++lane) {
-            const int32_t slot = spring_of_[as_index(b.vertex[lane])];
-            if (slot < 0) continue;
-            const Mat3& k = spring_k_[as_index(slot)];
-            const Vec3& f = spring_f_[as_index(slot)];
-            const Vec3 rest = body_.mesh().rest[as_index(b.vertex[lane])];
-            // The mu part is isotropic, so m/h^2 + sum w + the least spring bounds every pivot.
-            const double least = std::max(0.0, k.selfadjointView<Eigen::Lower>().eigenvalues()[0]);
-            const std::array<double, kSpringRows> rows{
-                k(0, 0),  k(0, 1),  k(0, 2), k(1, 1), k(1, 2), k(2, 2), rest.x(),
-                rest.y(), rest.z(), f.x(),   f.y(),   f.z(),   least};
-            for (size_t r = 0; r < kSpringRows; ++r) {
-                out_.springs[as_index(b.spring_start) + kLanes * r + lane] =
-                    static_cast<float>(rows[r]);
-            }
-        }
-    }
-
     const SoftBody& body_;
     KernelLayout& out_;
     const bool packs_strips_ = body_.spec().solver.method == Method::kVbd;
     std::vector<uint32_t> place_;  // (V) along a curve through space
     std::vector<std::vector<StripStep>> strips_;
-    std::vector<int32_t> spring_of_;
     std::optional<SheetFans> fans_;
     std::vector<uint8_t> in_sheet_;      // (V), empty without a sheet
     std::vector<int32_t> sheet_colour_;  // (V) -1 = not solved as part of a sheet
     std::vector<int32_t> rest_;          // of the job at work: not enough of one colour for a batch
-    std::vector<Mat3> spring_k_;
-    std::vector<Vec3> spring_f_;
+    const SpringSums springs_{body_, out_};
 };
 
 }  // namespace
