@@ -5,20 +5,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 #include <utility>
 
+#include "ui/view/depth_cue.h"
+#include "ui/view/field_renderer.h"
+#include "ui/view/mark_renderer.h"
 #include "ui/view/needle_renderer.h"
 #include "ui/view/overlay_colours.h"
 #include "ui/view/png.h"
-#include "ui/view/shadow_map.h"
-#include "ui/view/smoke.h"
-#include "ui/view/surroundings.h"
-#include "ui/view/tissue_maps.h"
-#include "ui/view/tissue_mesh.h"
+#include "ui/view/scope_light.h"
+#include "ui/view/smoke_renderer.h"
 #include "ui/view/tool_boxes.h"
 #include "ui/view/tool_renderer.h"
-#include "ui/view/wound_map.h"
 
 namespace placode::view {
 
@@ -35,37 +33,22 @@ double seconds_of(Clock::time_point time) {
 }  // namespace
 
 struct FetoscopeView::Impl {
-    Impl(const ViewField& field, const ViewSettings& s);
+    Impl(const ViewField& of, const ViewSettings& s);
     void draw_world(const Snapshot& snapshot, const OverlayState& overlay, int size);
-    void follow(const Snapshot& snapshot);
-    void draw_shadows();
-    void draw_tissue(const Snapshot& snapshot);
-    void draw_parts() const;
     void light(GlProgram& program, const Snapshot& snapshot);
-    [[nodiscard]] Vec3 light_place() const;  // of the brighter side of the fibre ring
-    void draw_smoke();
     void draw_depth(const Snapshot& snapshot, const OverlayState& overlay);
-    void draw_guide(const Snapshot& snapshot, int size, bool contour);
     void adapt(double ms);
     void observe(const Snapshot& snapshot);
 
     ViewSettings settings;
     std::unique_ptr<GlContext> context;  // before everything that lives in it
     std::vector<ToolSpec> tools;
-    TissueMesh mesh;
-    DrawnMesh skirt;
-    Bed bed;
-    TissueMaps maps;
-    WoundMap wound;
-    GlTexture wound_texture;
-    std::unique_ptr<ShadowMap> shadow;        // where they are drawn
-    std::map<std::string, GlProgram> tissue;  // by options; made when first needed
-    GlProgram wall{"tissue_vertex", "wall"}, tool{"tissue_vertex", "tool"};
-    GlProgram smoke_program{"smoke_vertex", "smoke"}, guide{"guide_vertex", "guide"},
-        mask{"screen_vertex", "mask"};
-    GlMesh tissue_gl, skirt_gl, floor_gl, bed_gl, wall_gl, smoke_gl, guide_gl;
+    FieldRenderer field;
+    GlProgram tool{"tissue_vertex", "tool"}, mask{"screen_vertex", "mask"};
     ToolRenderer instruments;
     NeedleRenderer needle;
+    SmokeRenderer puffs;
+    MarkRenderer marks;
     DepthCue depth_cue;
     PostProcess post;
     TextPainter painter;
@@ -101,15 +84,6 @@ void greet(GlContext& context, const std::string& words) {
     context.swap();
 }
 
-const std::vector<int> kTissueLayout{3, 3, 4, 4, 2};
-
-void load(GlMesh& mesh, const DrawnMesh& drawn) {
-    mesh.create(kTissueLayout);
-    if (drawn.indices.empty()) return;
-    mesh.vertices(drawn.vertices.data(), drawn.vertices.size(), false);
-    mesh.indices(drawn.indices);
-}
-
 std::unique_ptr<GlContext> opened(const ViewSettings& s) {
     if (s.offscreen) return open_offscreen({s.width, s.height, false, s.title, {}});
     auto window = open_window({s.width, s.height, s.fullscreen, s.title, s.place, s.floating});
@@ -119,25 +93,13 @@ std::unique_ptr<GlContext> opened(const ViewSettings& s) {
 
 }  // namespace
 
-FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
+FetoscopeView::Impl::Impl(const ViewField& of, const ViewSettings& s)
     : settings(s),
       context(opened(s)),
-      tools(field.tools),
-      mesh(field),
-      skirt(build_skirt(field)),
-      bed(field),
-      maps(bake_maps(field)),
-      wound(field, maps.low_mm, maps.high_mm),
-      instruments(field.tools),
+      tools(of.tools),
+      field(of),
+      instruments(of.tools),
       quality(s.quality) {
-    tissue_gl.create(kTissueLayout);
-    load(skirt_gl, skirt);
-    load(floor_gl, build_floor(field.floor));
-    load(bed_gl, bed.mesh());
-    load(wall_gl, build_wall());
-    wound_texture.load(WoundMap::kSize, WoundMap::kSize, {}, wound.pixels().data());
-    smoke_gl.create({4, 2});
-    guide_gl.create({4});
     times.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     // A software renderer starts low instead of stuttering through its first second.
     software = times.renderer.find("llvmpipe") != std::string::npos ||
@@ -158,45 +120,15 @@ void FetoscopeView::Impl::observe(const Snapshot& snapshot) {
     lens.update(snapshot, tip, touches);
 }
 
-Vec3 FetoscopeView::Impl::light_place() const {
-    return camera.position_mm + 2.6 * camera.up - 2.0 * camera.right;
-}
-
 void FetoscopeView::Impl::light(GlProgram& program, const Snapshot& snapshot) {
     program.use();
-    program.set("view_projection", camera.view_projection());
-    program.set("eye", camera.position_mm);
-    program.set("view_axis", camera.forward);
-    program.set("light_a", light_place());
-    program.set("light_b", Vec3(camera.position_mm - 2.0 * camera.up + 1.5 * camera.right));
-    program.set("cone_cos", static_cast<float>(std::cos(camera.half_angle_rad + 0.03)));
-    program.set("time_s", static_cast<float>(snapshot.time_s));
-    const std::vector<ShadowCapsule> capsules = seen_capsules(snapshot, tools, camera);
-    const int count = static_cast<int>(std::min<size_t>(capsules.size(), 6));
-    std::array<float, 24> a{}, b{};
-    for (int i = 0; i < count; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            a[static_cast<size_t>(4 * i + k)] =
-                static_cast<float>(capsules[static_cast<size_t>(i)].a[k]);
-            b[static_cast<size_t>(4 * i + k)] =
-                static_cast<float>(capsules[static_cast<size_t>(i)].b[k]);
-        }
-        a[static_cast<size_t>(4 * i + 3)] =
-            static_cast<float>(capsules[static_cast<size_t>(i)].radius);
-    }
-    program.set_array("capsule_a", a.data(), 6);
-    program.set_array("capsule_b", b.data(), 6);
-    program.set("capsule_count", count);
-    program.set("border_map", 0);
-    program.set("vessel_map", 1);
-    program.set("skin_map", 2);
-    program.set("noise_map", 3);
+    set_light(program, camera, seen_capsules(snapshot, tools, camera), snapshot.time_s);
 }
 
 void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayState& overlay,
                                      int size) {
-    follow(snapshot);
-    if (quality.shadows) draw_shadows();
+    field.follow(snapshot, !quality.plain);
+    if (quality.shadows) field.draw_shadows(camera);
     picture.allocate(size, size, GL_RGBA16F, true, quality.samples);
     picture.begin();
     glEnable(GL_DEPTH_TEST);
@@ -209,151 +141,35 @@ void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayStat
     mask.set("depth", -1.0F);
     draw_screen_triangle();
 
-    maps.bind();
+    field.bind_maps();
     light(tool, snapshot);
     tool.set("tissue_bounce", Vec3(0.20, 0.082, 0.072));
     instruments.draw(snapshot, tool);
     needle.draw(snapshot.needle, tool);
 
-    draw_tissue(snapshot);
+    GlProgram& tissue = field.tissue_program(quality);
+    light(tissue, snapshot);
+    field.draw_tissue(tissue, quality);
     draw_depth(snapshot, overlay);
 
-    light(wall, snapshot);
-    wall_gl.draw(GL_TRIANGLES);
-    draw_guide(snapshot, size, overlay.show_guide);
-    light(smoke_program, snapshot);
-    draw_smoke();
+    light(field.wall_program(), snapshot);
+    field.draw_wall();
+    if (marks.follow(snapshot, camera, overlay.show_guide)) {
+        light(marks.program(), snapshot);
+        marks.draw(size);
+    }
+    light(puffs.program(), snapshot);
+    puffs.draw(smoke.puffs(), camera);
     picture.resolve();
-}
-
-// Everything that moved since the last picture, to where it is drawn from.
-void FetoscopeView::Impl::follow(const Snapshot& snapshot) {
-    mesh.set_fine(!quality.plain);
-    const bool changed = mesh.update(snapshot);
-    if (changed) tissue_gl.indices(mesh.indices());
-    tissue_gl.vertices(mesh.vertices().data(), mesh.vertices().size(), true);
-    if (mesh.cut()) {
-        if (changed) {
-            bed.choose(snapshot);
-            bed_gl.indices(bed.mesh().indices);
-        }
-        bed.follow(snapshot);
-        bed_gl.vertices(bed.mesh().vertices.data(), bed.mesh().vertices.size(), true);
-    }
-    const MapPart part = wound.update(snapshot);
-    if (part.width > 0)
-        wound_texture.replace({part.x, part.y, part.width, part.height}, WoundMap::kSize,
-                              wound.pixels().data());
-}
-
-void FetoscopeView::Impl::draw_parts() const {
-    tissue_gl.draw(GL_TRIANGLES);
-    skirt_gl.draw(GL_TRIANGLES);
-    floor_gl.draw(GL_TRIANGLES);
-    if (mesh.cut()) bed_gl.draw(GL_TRIANGLES);
-}
-
-void FetoscopeView::Impl::draw_shadows() {
-    constexpr double kWider = 0.06;  // the light stands beside the lens
-    if (!shadow) shadow = std::make_unique<ShadowMap>();
-    Camera lamp = camera;
-    lamp.position_mm = light_place();
-    lamp.half_angle_rad += kWider;
-    shadow->begin(lamp);
-    draw_parts();
-    shadow->end();
-}
-
-void FetoscopeView::Impl::draw_tissue(const Snapshot& snapshot) {
-    const std::string options = quality.plain ? "PLAIN" : quality.shadows ? "SHADOWED" : "";
-    GlProgram& program =
-        tissue.try_emplace(options, "tissue_vertex", "tissue", options).first->second;
-    light(program, snapshot);
-    program.set("map_low", static_cast<float>(maps.low_mm.x()),
-                static_cast<float>(maps.low_mm.y()));
-    program.set("map_high", static_cast<float>(maps.high_mm.x()),
-                static_cast<float>(maps.high_mm.y()));
-    program.set("skin_tile", static_cast<float>(kSkinTileMm));
-    program.set("wound_map", 4);
-    wound_texture.bind(4);
-    if (quality.shadows) {
-        program.set("light_map", 5);
-        program.set("light_projection", shadow->projection());
-        shadow->bind(5);
-    }
-    draw_parts();
 }
 
 // Onto field and back beyond it; feet are looked for even where only steps need them.
 void FetoscopeView::Impl::draw_depth(const Snapshot& snapshot, const OverlayState& overlay) {
     if (!overlay.depth_aid && overlay.practice.steps.empty()) return;
-    const DrawnTissue parts[] = {{mesh.vertices(), mesh.indices()},
-                                 {skirt.vertices, skirt.indices}};
-    depth_cue.update(snapshot, tools, parts);
+    depth_cue.update(snapshot, tools, field.around_the_tips());
     if (!overlay.depth_aid) return;
     light(depth_cue.program(), snapshot);
     depth_cue.draw();
-}
-
-void FetoscopeView::Impl::draw_smoke() {
-    if (smoke.puffs().empty()) return;
-    std::vector<const Puff*> order;
-    for (const Puff& p : smoke.puffs()) order.push_back(&p);
-    std::sort(order.begin(), order.end(), [&](const Puff* a, const Puff* b) {
-        return (a->position_mm - camera.position_mm).squaredNorm() >
-               (b->position_mm - camera.position_mm).squaredNorm();
-    });
-    std::vector<float> data;
-    for (const Puff* p : order) {
-        const double age = p->age_s / p->life_s,
-                     near = (p->position_mm - camera.position_mm).norm();
-        // Thin out with age, and where a puff would stick to the lens.
-        const double opacity =
-            p->opacity * std::min(1.0, 6 * age) * (1 - age) * std::clamp((near - 4) / 6, 0.0, 1.0);
-        for (int corner = 0; corner < 6; ++corner) {
-            for (int k = 0; k < 3; ++k) data.push_back(static_cast<float>(p->position_mm[k]));
-            data.push_back(static_cast<float>(p->radius_mm));
-            data.push_back(static_cast<float>(opacity));
-            data.push_back(p->seed);
-        }
-    }
-    smoke_program.set("camera_right", camera.right);
-    smoke_program.set("camera_up", camera.up);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glDepthMask(GL_FALSE);
-    smoke_gl.vertices(data.data(), data.size(), true);
-    smoke_gl.draw(GL_TRIANGLES, static_cast<int>(data.size() / 6));
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-}
-
-// The planned incision where the trainee wants help; the marked tissue's outline always: it is ink.
-void FetoscopeView::Impl::draw_guide(const Snapshot& snapshot, int size, bool contour) {
-    std::vector<float> data;
-    const auto add = [&](const std::array<float, 3>& p, float kind) {
-        const Vec3 mm = 1000 * Vec3(p[0], p[1], p[2]);
-        const Vec3 lifted = mm + 0.15 * (camera.position_mm - mm).normalized();
-        for (int k = 0; k < 3; ++k) data.push_back(static_cast<float>(lifted[k]));
-        data.push_back(kind);
-    };
-    for (size_t i = 0; contour && i < snapshot.contour.size(); ++i) {
-        const bool cut = i < snapshot.contour_cut.size() && snapshot.contour_cut[i] != 0;
-        add(snapshot.contour[i], cut ? 1.0F : 0.0F);
-    }
-    for (size_t i = 0; i < snapshot.resect_line.size(); ++i) {
-        const bool cut = i < snapshot.resect_cut.size() && snapshot.resect_cut[i] != 0;
-        add(snapshot.resect_line[i], cut ? 1.0F : 2.0F);
-    }
-    if (data.empty()) return;
-    light(guide, snapshot);
-    guide.set("point_size", std::max(2.0F, static_cast<float>(size) / 220.0F));
-    glEnable(GL_PROGRAM_POINT_SIZE);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    guide_gl.vertices(data.data(), data.size(), true);
-    guide_gl.draw(GL_POINTS, static_cast<int>(data.size() / 4));
-    glDisable(GL_BLEND);
 }
 
 // Steps the size of the computed picture, never the window. Needs a run of slow (or fast) pictures,
