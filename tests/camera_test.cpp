@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "picture_fixture.h"
+
+using namespace placode::sim;
+using namespace placode::view;
+
+namespace THIS_TEST {
+
+TEST(Camera, TakesTheScopeWithCranialUpAndADefaultBeforeAnybodyHoldsIt) {
+    SmallField f = small_field();
+    const Camera held = camera_of(f.snapshot, f.view.tools);
+    EXPECT_LT((held.position_mm - 1000 * f.snapshot.tools[1].pose.p).norm(), 1e-9);
+    EXPECT_GT(held.up.x(), 0.5);      // cranial up
+    EXPECT_LT(held.right.y(), -0.9);  // the patient's right on the right
+    f.view.tools[1].scope_angle_deg = 30;
+    const Camera oblique = camera_of(f.snapshot, f.view.tools);
+    EXPECT_NEAR(oblique.forward.dot(held.forward), std::cos(3.14159265 / 6), 1e-6);
+    EXPECT_LT(oblique.forward.dot(held.up), -0.49);  // looks down past its axis
+    f.snapshot.tools[1].pose = Pose{};
+    EXPECT_GT(camera_of(f.snapshot, f.view.tools).position_mm.z(), 10);
+}
+
+}  // namespace THIS_TEST
