@@ -32,7 +32,7 @@ void retone(QLabel* badge, const QString& text, const char* tone) {
 class TrialCard : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(TrialCard)
  public:
-    TrialCard(AppContext& context, const QString& device, const TrialWishes& wishes)
+    TrialCard(AppContext& context, const QString& device, const StationWishes& wishes)
         : context_(context),
           device_(device),
           wishes_(wishes),
@@ -345,7 +345,7 @@ class TrialCard : public QFrame {
 
     AppContext& context_;
     QString device_;
-    TrialWishes wishes_;
+    StationWishes wishes_;
     size_t level_ = 0;
     bool answered_ = false;
     std::vector<Row> rows_;
@@ -359,7 +359,7 @@ class TrialCard : public QFrame {
 
 }  // namespace
 
-QFrame* make_trial_card(AppContext& context, const QString& device, const TrialWishes& wishes) {
+QFrame* make_trial_card(AppContext& context, const QString& device, const StationWishes& wishes) {
     return new TrialCard(context, device, wishes);
 }
 

@@ -5,26 +5,17 @@
 // against, and which arm is in which hand. What was found is kept in the station file.
 
 #include <QFrame>
-#include <functional>
 
-#include "haptics/station.h"
 #include "ui/shell/device_tester.h"
+#include "ui/shell/station_wishes.h"
 
 namespace placode::ui {
 
 class AppContext;
 
-/// What the card asks of its page.
-struct TrialWishes {
-    /// Changes the station file; false: it could not be written, and the user was told.
-    std::function<bool(const std::function<void(haptics::Station&)>&)> change;
-    std::function<haptics::Station()> station;
-    std::function<void(const QString&)> notice;
-};
-
 /// A card that tries `device` as long as it lives.
 [[nodiscard]] QFrame* make_trial_card(AppContext& context, const QString& device,
-                                      const TrialWishes& wishes);
+                                      const StationWishes& wishes);
 
 /// What to do before a device may be used, one step a line.
 [[nodiscard]] QStringList calibration_steps(const QString& device);

@@ -3,61 +3,21 @@
 // Devices of this computer: what was found, what is missing and how to install it, a device tried
 // by itself, foot pedals, and the settings of the station.
 
-#include <QComboBox>
 #include <QFile>
-#include <QGridLayout>
 #include <QHBoxLayout>
-#include <QLineEdit>
 
 #include "haptics/station.h"
 #include "ui/shell/details.h"
 #include "ui/shell/device_trial_card.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/pedal_card.h"
+#include "ui/shell/station_card.h"
 
 namespace placode::ui {
 namespace {
 
 using haptics::Station;
-
-struct SettingName {
-    const char *key, *name;
-};
-/// What people call the settings of the station file.
-constexpr SettingName kSettingNames[] = {
-    {"arm.mapping", QT_TRANSLATE_NOOP("DevicesPage", "What the arm stands for")},
-    {"arm.scale", QT_TRANSLATE_NOOP("DevicesPage", "Scale of the motion")},
-    {"arm.one_hand", QT_TRANSLATE_NOOP("DevicesPage", "Hand of a single arm")},
-    {"limit.stiffness_n_m", QT_TRANSLATE_NOOP("DevicesPage", "Stiffness at most")},
-    {"limit.damping_ns_m", QT_TRANSLATE_NOOP("DevicesPage", "Damping at most")},
-    {"limit.force_n", QT_TRANSLATE_NOOP("DevicesPage", "Force at most")},
-    {"openhaptics.library", QT_TRANSLATE_NOOP("DevicesPage", "Program library of the vendor")},
-    {"openhaptics.right", QT_TRANSLATE_NOOP("DevicesPage", "Right arm")},
-    {"openhaptics.left", QT_TRANSLATE_NOOP("DevicesPage", "Left arm")},
-    {"haply.host", QT_TRANSLATE_NOOP("DevicesPage", "Computer of the vendor's service")},
-    {"haply.port", QT_TRANSLATE_NOOP("DevicesPage", "Its port")},
-    {"haply.right", QT_TRANSLATE_NOOP("DevicesPage", "Right arm")},
-    {"haply.left", QT_TRANSLATE_NOOP("DevicesPage", "Left arm")},
-    {"haply.axes", QT_TRANSLATE_NOOP("DevicesPage", "Directions of the arm")},
-    {"haply.force_n", QT_TRANSLATE_NOOP("DevicesPage", "Force that the arm can do")},
-    {"avatar.right", QT_TRANSLATE_NOOP("DevicesPage", "Right port device")},
-    {"avatar.left", QT_TRANSLATE_NOOP("DevicesPage", "Left port device")},
-    {"avatar.ibox", QT_TRANSLATE_NOOP("DevicesPage", "Handle and pedal box")},
-    {"avatar.signs", QT_TRANSLATE_NOOP("DevicesPage", "Directions of the axes")},
-    {"avatar.depth_zero_m", QT_TRANSLATE_NOOP("DevicesPage", "Depth at the port")},
-    {"avatar.settle_s", QT_TRANSLATE_NOOP("DevicesPage", "Wait after opening")},
-    {"forcedimension.library", QT_TRANSLATE_NOOP("DevicesPage", "Program library of the vendor")},
-    {"forcedimension.swap_hands", QT_TRANSLATE_NOOP("DevicesPage", "Right and left exchanged")},
-    {"spacemouse.socket", QT_TRANSLATE_NOOP("DevicesPage", "Connection to its service")},
-    {"spacemouse.speed_m_s", QT_TRANSLATE_NOOP("DevicesPage", "Speed at full deflection")},
-};
-
-QString setting_name(const QString& key) {
-    for (const SettingName& each : kSettingNames)
-        if (key == QLatin1String(each.key))
-            return QCoreApplication::translate("DevicesPage", each.name);
-    return key;
-}
 
 class DevicesPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(DevicesPage)
@@ -65,7 +25,6 @@ class DevicesPage : public Page {
     DevicesPage(AppContext& context, const Place& place)
         : Page(context),
           lister_(context.launcher().options()),
-          pedal_tester_(context.launcher().options()),
           tried_(place.state.value("tried").toString()) {
         if (!context.may(db::Action::kViewAttempts, db::Scope::kOther))
             context.require(db::Action::kBackup, db::Scope::kOther);
@@ -74,14 +33,12 @@ class DevicesPage : public Page {
         column->addWidget(listCard());
         trial_ = new QVBoxLayout;
         column->addLayout(trial_);
-        column->addWidget(pedalCard());
+        pedals_ = new PedalCard(context, wishes());
+        column->addWidget(pedals_);
         station_place_ = new QVBoxLayout;
         column->addLayout(station_place_);
         column->addStretch();
         connect(&lister_, &DeviceLister::listed, this, [this](const QString& why) { listed(why); });
-        connect(&pedal_tester_, &DeviceTester::stateChanged, this, [this] { pedalMoved(); });
-        connect(&pedal_tester_, &DeviceTester::ended, this,
-                [this](const QString& why) { pedalsEnded(why); });
         showStation();
         // Rebuilt in another language or theme: what was found is still there.
         const QByteArray before = place.state.value("listing").toByteArray();
@@ -147,7 +104,7 @@ class DevicesPage : public Page {
         clear(rows_);
         for (const ListedDevice& device : lister_.devices())
             if (!device.name.startsWith("script")) rows_->addWidget(deviceRow(device));
-        fillPedals();
+        pedals_->fill(lister_.pedals());
         if (!tried_.isEmpty() && trial_->count() == 0) tryDevice(tried_);
     }
 
@@ -205,11 +162,7 @@ class DevicesPage : public Page {
     void tryDevice(QString name) {
         endTrial();
         tried_ = name;
-        TrialWishes wishes;
-        wishes.change = [this](const auto& edit) { return change(edit); };
-        wishes.station = [this] { return station(); };
-        wishes.notice = [this](const QString& text) { Q_EMIT notice(text); };
-        trial_->addWidget(make_trial_card(context_, name, wishes));
+        trial_->addWidget(make_trial_card(context_, name, wishes()));
         showStation();
     }
 
@@ -235,187 +188,28 @@ class DevicesPage : public Page {
 
     void showStation() {
         clear(station_place_);
-        auto* layout = new QVBoxLayout;
-        layout->setSpacing(kSpace12);
-        layout->addWidget(make_label(tr("Settings of this computer"), "heading"));
-        layout->addWidget(make_label(
-            tr("They hold for this computer, whoever is signed in. Change one only when a device "
-               "does not do what the hand does."),
-            "small"));
-        const Station now = station();
-        const double tested = now.number("tested.force_n");
-        QLabel* passed = make_label(
-            tested > 0 ? tr("Force test passed with %1 N: %2, %3.")
-                             .arg(format_number(tested, 1), device_name(now.text("tested.device")),
-                                  qstr(now.text("tested.date")))
-                       : tr("No force test was passed on this computer yet."),
-            tested > 0 ? "good" : "muted");
-        passed->setObjectName("tested");
-        layout->addWidget(passed);
-        auto* grid = new QGridLayout;
-        grid->setHorizontalSpacing(kSpace16);
-        grid->setVerticalSpacing(kSpace8);
-        edits_.clear();
-        for (const haptics::StationKey& key : haptics::station_keys())
-            if (wanted(key.key)) addSetting(grid, key, now);
-        grid->setColumnStretch(2, 1);
-        layout->addLayout(grid);
-        QPushButton* save = make_button(context_, tr("Save the settings"), "primary", "check");
-        save->setObjectName("save_station");
-        connect(save, &QPushButton::clicked, this, [this] { saveSettings(); });
-        layout->addWidget(save, 0, Qt::AlignLeft);
-        QStringList raw{qstr(Station::path_of_this_computer())};
-        for (const auto& [key, field] : edits_) raw << qstr(key + " = " + now.text(key));
-        auto* file = new Details(context_, raw.join("\n"));
-        file->setObjectName("station_details");
-        layout->addWidget(file);
-        station_place_->addWidget(make_card(layout));
+        station_place_->addWidget(
+            make_station_card(context_, tried_, wishes(), [this] { stationSaved(); }));
     }
 
-    /// Arms and limits always, the keys of a device while it is tried.
-    [[nodiscard]] bool wanted(std::string_view key) const {
-        if (key.starts_with("arm.") || key.starts_with("limit.")) return true;
-        return !tried_.isEmpty() && key.starts_with(tried_.toStdString() + ".");
-    }
-
-    void addSetting(QGridLayout* grid, const haptics::StationKey& key, const Station& now) {
-        const int row = grid->rowCount();
-        const QString name = qstr(std::string(key.key)), words = setting_name(name);
-        QLabel* label = make_label(words);
-        label->setWordWrap(false);
-        auto* field = new QLineEdit(qstr(now.text(key.key)));
-        field->setObjectName("key_" + name);
-        field->setAccessibleName(words);
-        field->setMinimumWidth(170);
-        label->setBuddy(field);
-        grid->addWidget(label, row, 0);
-        grid->addWidget(field, row, 1);
-        QString meaning = QCoreApplication::translate("Station", std::string(key.meaning).c_str());
-        if (key.low < key.high)
-            meaning +=
-                tr(" (%1 to %2)").arg(QLocale().toString(key.low), QLocale().toString(key.high));
-        grid->addWidget(make_label(meaning, "small"), row, 2);
-        edits_.emplace_back(std::string(key.key), field);
-    }
-
-    void saveSettings() {
-        std::vector<std::pair<std::string, std::string>> said;
-        const Station now = station();
-        for (const auto& [key, field] : edits_)
-            if (const std::string text = field->text().trimmed().toStdString();
-                text != now.text(key))
-                said.emplace_back(key, text);
-        const bool done = change([&](Station& edited) {
-            for (const auto& [key, text] : said) edited.set(key, text);
-        });
-        if (!done) return;
+    void stationSaved() {
         Q_EMIT notice(tr("Saved for this computer."));
         // A device that is open knows the old settings.
         if (!tried_.isEmpty() && trial_->count() > 0) tryDevice(tried_);
     }
 
-    // --- foot pedals
-    QWidget* pedalCard() {
-        auto* layout = new QVBoxLayout;
-        layout->setSpacing(kSpace12);
-        layout->addWidget(make_label(tr("Foot pedals"), "heading"));
-        layout->addWidget(make_label(
-            tr("Choose the pedals, press each and say which one it is: yellow cuts, blue "
-               "coagulates. Pedals that a device brings itself need nothing here."),
-            "muted"));
-        pedals_ = new QComboBox;
-        pedals_->setObjectName("pedals");
-        pedals_->setEditable(true);
-        layout->addLayout(make_field(tr("Which pedals"), pedals_));
-        auto* row = new QHBoxLayout;
-        row->setSpacing(kSpace12);
-        QPushButton* watch = make_button(context_, tr("Watch"), "secondary", "play");
-        watch->setObjectName("watch_pedals");
-        connect(watch, &QPushButton::clicked, this, [this] { watchPedals(); });
-        cut_ = make_button(context_, tr("This is the yellow one"), "secondary");
-        cut_->setObjectName("pedal_cut");
-        coag_ = make_button(context_, tr("This is the blue one"), "secondary");
-        coag_->setObjectName("pedal_coag");
-        connect(cut_, &QPushButton::clicked, this, [this] { keepPedal("pedals.cut_key"); });
-        connect(coag_, &QPushButton::clicked, this, [this] { keepPedal("pedals.coag_key"); });
-        for (QPushButton* button : {watch, cut_, coag_}) row->addWidget(button);
-        row->addStretch();
-        layout->addLayout(row);
-        pedal_key_ = make_label({});
-        pedal_key_->setObjectName("pedal_key");
-        layout->addWidget(pedal_key_);
-        pedal_details_ = new Details(context_);
-        layout->addWidget(pedal_details_);
-        cut_->setEnabled(false);
-        coag_->setEnabled(false);
-        return make_card(layout);
-    }
-
-    void fillPedals() {
-        const QString now = qstr(station().text("pedals.device"));
-        const QString typed = pedals_->currentText();
-        pedals_->clear();
-        pedals_->addItems(lister_.pedals());
-        if (!now.isEmpty() && pedals_->findText(now) < 0) pedals_->addItem(now);
-        pedals_->setCurrentText(typed.isEmpty() ? now : typed);
-        if (pedals_->currentText().isEmpty() && pedals_->count() == 0)
-            pedal_key_->setText(tr("No pedals were found."));
-    }
-
-    void watchPedals() {
-        const QString path = pedals_->currentText().trimmed();
-        if (path.isEmpty()) return;
-        pedal_key_->setText(tr("Press a pedal…"));
-        pedal_details_->setText({});
-        context_.guard(tr("Watching the pedals"),
-                       [&] { pedal_tester_.start("pedals:" + path, 0.5); });
-    }
-
-    void pedalsEnded(const QString& why) {
-        pedal_details_->setText(why);
-        pedal_key_->setText(why.isEmpty() ? QString() : device_problem("pedals", why).way_out);
-    }
-
-    void pedalMoved() {
-        const TrialState& state = pedal_tester_.state();
-        if (!state.connected) return pedal_key_->setText(tr("The pedals are unplugged."));
-        cut_->setEnabled(state.key > 0);
-        coag_->setEnabled(state.key > 0);
-        if (state.key == 0) return;
-        const Station now = station();
-        QString name = tr("Key %1").arg(state.key);
-        if (state.key == static_cast<int>(now.number("pedals.cut_key")))
-            name += tr(", set as the yellow pedal");
-        if (state.key == static_cast<int>(now.number("pedals.coag_key")))
-            name += tr(", set as the blue pedal");
-        pedal_key_->setText(state.pressed ? tr("%1 (pressed)").arg(name) : name);
-    }
-
-    void keepPedal(const char* key) {
-        const int code = pedal_tester_.state().key;
-        const std::string path = pedals_->currentText().trimmed().toStdString();
-        if (change([&](Station& edited) {
-                // One key cannot be both: the other pedal gets the key that this one had.
-                const std::string other =
-                    std::string(key) == "pedals.cut_key" ? "pedals.coag_key" : "pedals.cut_key";
-                if (static_cast<int>(edited.number(other)) == code)
-                    edited.set(other, edited.text(key));
-                edited.set(key, std::to_string(code));
-                edited.set("pedals.device", path);
-            }))
-            Q_EMIT notice(tr("The pedal was saved for this computer."));
-        pedalMoved();
+    [[nodiscard]] StationWishes wishes() {
+        return {[this](const auto& edit) { return change(edit); }, [this] { return station(); },
+                [this](const QString& text) { Q_EMIT notice(text); }};
     }
 
     DeviceLister lister_;
-    DeviceTester pedal_tester_;
     QString tried_;
-    std::vector<std::pair<std::string, QLineEdit*>> edits_;
-    QPushButton *again_ = nullptr, *cut_ = nullptr, *coag_ = nullptr;
-    QLabel *listing_ = nullptr, *pedal_key_ = nullptr;
+    QPushButton* again_ = nullptr;
+    QLabel* listing_ = nullptr;
     QVBoxLayout *rows_ = nullptr, *trial_ = nullptr, *station_place_ = nullptr;
-    Details *listing_details_ = nullptr, *pedal_details_ = nullptr;
-    QComboBox* pedals_ = nullptr;
+    Details* listing_details_ = nullptr;
+    PedalCard* pedals_ = nullptr;
 };
 
 }  // namespace
