@@ -7,9 +7,7 @@
 #include <QFile>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QPlainTextEdit>
-#include <QStackedWidget>
 #include <QTimer>
 #include <optional>
 
@@ -17,8 +15,8 @@
 #include "curriculum/study.h"
 #include "db/study_conduct.h"
 #include "reports/export.h"
+#include "ui/shell/definition_elements.h"
 #include "ui/shell/definition_fields.h"
-#include "ui/shell/definition_form.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/study_parts.h"
@@ -38,11 +36,9 @@ class ProtocolsPage : public Page {
         status_ = make_label({}, "good");
         status_->setObjectName("definition_status");
         column->addWidget(status_);
-        auto* body = new QHBoxLayout;
-        body->setSpacing(kSpace16);
-        body->addWidget(elementsCard(), 2);
-        body->addWidget(formCard(), 3);
-        column->addLayout(body);
+        elements_ = new DefinitionElements(context, isStudy());
+        elements_->changed = [this] { formChanged(); };
+        column->addWidget(elements_);
         column->addWidget(jsonCard());
         column->addWidget(publishCard());
         preview_ = new QVBoxLayout;
@@ -58,7 +54,7 @@ class ProtocolsPage : public Page {
                 }
         setText(text.isEmpty() ? firstText() : text);
         if (isStudy() && place.state.value("part").toString() == "consent")
-            list_->setCurrentRow(kConsentRow);
+            elements_->chooseConsent();
         unsaved_ = place.state.value("unsaved").toBool();
     }
 
@@ -75,7 +71,6 @@ class ProtocolsPage : public Page {
 
  private:
     [[nodiscard]] bool isStudy() const { return kind_ == "study"; }
-    [[nodiscard]] const char* listKey() const { return isStudy() ? "steps" : "items"; }
     [[nodiscard]] std::string kindText() const { return kind_.toStdString(); }
 
     QLayout* head() {
@@ -150,39 +145,6 @@ class ProtocolsPage : public Page {
         return name.isEmpty() ? empty_definition(isStudy()) : textOf(name);
     }
 
-    QWidget* elementsCard() {
-        auto* layout = new QVBoxLayout;
-        layout->setSpacing(kSpace8);
-        layout->addWidget(make_label(isStudy() ? tr("Steps") : tr("Questions"), "heading"));
-        list_ = new QListWidget;
-        list_->setObjectName("elements");
-        list_->setAccessibleName(isStudy() ? tr("Steps") : tr("Questions"));
-        list_->setMinimumHeight(320);
-        list_->setStyleSheet("QListWidget::item { min-height: 40px; }");  // for a finger
-        connect(list_, &QListWidget::currentRowChanged, this, [this] { showForm(); });
-        layout->addWidget(list_);
-        auto* row = new QHBoxLayout;
-        row->setSpacing(kSpace4);
-        row->addWidget(make_action(context_, this, tr("Add"), "secondary", "plus", "element_add",
-                                   [this] { add(); }));
-        row->addWidget(
-            make_action(context_, this, tr("Up"), "quiet", {}, "element_up", [this] { move(-1); }));
-        row->addWidget(make_action(context_, this, tr("Down"), "quiet", {}, "element_down",
-                                   [this] { move(1); }));
-        row->addWidget(make_action(context_, this, tr("Remove"), "quiet", "close", "element_remove",
-                                   [this] { removeElement(); }));
-        layout->addLayout(row);
-        return make_card(layout);
-    }
-
-    QWidget* formCard() {
-        auto* layout = new QVBoxLayout;
-        form_ = new DefinitionForm;
-        form_->changed = [this] { formChanged(); };
-        layout->addWidget(form_);
-        return make_card(layout);
-    }
-
     QWidget* jsonCard() {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
@@ -244,94 +206,16 @@ class ProtocolsPage : public Page {
         const auto read = OrderedJson::parse(json_->toPlainText().toStdString(), nullptr, false);
         check();
         if (read.is_discarded() || !read.is_object()) return;
-        definition_ = read;
-        consent_ = read.value("consent", OrderedJson::object());
-        arms_ = read.value("arms", OrderedJson::object());
-        fillList(std::max(0, list_->currentRow()));
+        elements_->follow(read);
     }
 
     /// The form leads: the text follows.
     void formChanged() {
         unsaved_ = true;
-        takePart("consent", consent_);
-        takePart("arms", arms_);
         filling_ = true;
-        json_->setPlainText(qstr(definition_.dump(2)));
+        json_->setPlainText(qstr(elements_->definition().dump(2)));
         filling_ = false;
-        if (const int row = list_->currentRow(); row >= firstRow())
-            list_->currentItem()->setText(
-                element_name(elements()[static_cast<size_t>(row - firstRow())]));
         check();
-    }
-
-    /// Consent and arms are edited apart: an empty one must not stand in the text.
-    void takePart(const char* key, const OrderedJson& part) {
-        if (!isStudy()) return;
-        if (part.empty())
-            definition_.erase(key);
-        else
-            definition_[key] = part;
-    }
-
-    static constexpr int kConsentRow = 1;
-    /// Rows of the list above the first element.
-    [[nodiscard]] int firstRow() const { return isStudy() ? 3 : 1; }
-
-    [[nodiscard]] OrderedJson& elements() {
-        OrderedJson& list = definition_[listKey()];
-        if (!list.is_array()) list = OrderedJson::array();
-        return list;
-    }
-
-    /// First row: the definition itself.
-    void fillList(int row) {
-        const QSignalBlocker quiet(list_);
-        list_->clear();
-        list_->addItem(isStudy() ? tr("The study itself") : tr("The questionnaire itself"));
-        if (isStudy()) list_->addItems({tr("Information and consent"), tr("Arms")});
-        for (const auto& each : elements()) list_->addItem(element_name(each));
-        list_->setCurrentRow(std::min(row, list_->count() - 1));
-        showForm();
-    }
-
-    void showForm() {
-        const int row = list_->currentRow();
-        if (row < 0) return;
-        if (row == 0)
-            form_->showObject(&definition_, isStudy() ? study_fields() : questionnaire_fields());
-        else if (row < firstRow())
-            form_->showObject(row == kConsentRow ? &consent_ : &arms_,
-                              row == kConsentRow ? consent_fields() : arms_fields());
-        else {
-            OrderedJson& element = elements()[static_cast<size_t>(row - firstRow())];
-            if (!element.is_object()) element = OrderedJson::object();
-            form_->showObject(&element, isStudy() ? step_fields(context_) : item_fields());
-        }
-    }
-
-    void listChanged(int row) {
-        fillList(row);
-        formChanged();
-    }
-
-    void add() {
-        elements().push_back(new_element(isStudy(), elements().size() + 1));
-        listChanged(static_cast<int>(elements().size()) + firstRow() - 1);
-    }
-
-    void move(int by) {
-        const int row = list_->currentRow(), to = row + by;
-        if (row < firstRow() || to < firstRow() || to >= list_->count()) return;
-        std::swap(elements()[static_cast<size_t>(row - firstRow())],
-                  elements()[static_cast<size_t>(to - firstRow())]);
-        listChanged(to);
-    }
-
-    void removeElement() {
-        const int row = list_->currentRow();
-        if (row < firstRow()) return;
-        elements().erase(static_cast<size_t>(row - firstRow()));
-        listChanged(row - 1);
     }
 
     /// Empty when the text can be published.
@@ -426,10 +310,11 @@ class ProtocolsPage : public Page {
 
     /// Of a text that was never readable there is no definition, and its id may be anything.
     [[nodiscard]] QString name() const {
-        if (!definition_.is_object()) return "definition";
-        const auto id = definition_.find("id");
-        return id != definition_.end() && id->is_string() ? qstr(id->get<std::string>())
-                                                          : QString("definition");
+        const OrderedJson& definition = elements_->definition();
+        if (!definition.is_object()) return "definition";
+        const auto id = definition.find("id");
+        return id != definition.end() && id->is_string() ? qstr(id->get<std::string>())
+                                                         : QString("definition");
     }
 
     void exportFile() {
@@ -445,10 +330,8 @@ class ProtocolsPage : public Page {
     }
 
     QString kind_;
-    OrderedJson definition_, consent_, arms_;
     QComboBox* chooser_ = nullptr;
-    QListWidget* list_ = nullptr;
-    DefinitionForm* form_ = nullptr;
+    DefinitionElements* elements_ = nullptr;
     QPlainTextEdit* json_ = nullptr;
     QLineEdit* reason_ = nullptr;
     QPushButton* publish_ = nullptr;
