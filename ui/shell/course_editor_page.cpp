@@ -6,12 +6,12 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QPlainTextEdit>
 #include <QShortcut>
 #include <memory>
 
 #include "db/course_conduct.h"
 #include "reports/export.h"
+#include "ui/shell/course_preview.h"
 #include "ui/shell/course_words.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -41,7 +41,8 @@ class CourseEditorPage : public Page {
                                               const std::string& field) { take(stage, field); });
         row->addWidget(form_, 3);
         column->addLayout(row);
-        column->addWidget(previewCard());
+        preview_ = new CoursePreview(context);
+        column->addWidget(preview_);
         column->addWidget(publishCard(place));
         column->addStretch();
         for (const auto& [keys, step] : {std::pair{QKeySequence::Undo, &CourseDraft::undo},
@@ -187,16 +188,6 @@ class CourseEditorPage : public Page {
         return make_card(layout);
     }
 
-    QWidget* previewCard() {
-        auto* layout = new QVBoxLayout;
-        layout->setSpacing(kSpace8);
-        layout->addWidget(make_label(tr("Preview: the first day of a trainee"), "heading"));
-        preview_ = new QVBoxLayout;
-        preview_->setSpacing(kSpace4);
-        layout->addLayout(preview_);
-        return make_card(layout);
-    }
-
     QWidget* publishCard(const Place& place) {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
@@ -284,7 +275,7 @@ class CourseEditorPage : public Page {
         undo_->setEnabled(draft_->can_undo());
         redo_->setEnabled(draft_->can_redo());
         showStage();
-        showPreview();
+        preview_->follow(draft_->course());
         showStanding();
     }
 
@@ -295,39 +286,6 @@ class CourseEditorPage : public Page {
         up_->setEnabled(row > 0);
         down_->setEnabled(row >= 0 && row + 1 < list_->count());
         if (row >= 0) form_->show(draft_->course(), static_cast<size_t>(row), problems_);
-    }
-
-    void showPreview() {
-        while (QLayoutItem* item = preview_->takeAt(0)) {
-            if (item->widget()) item->widget()->deleteLater();
-            delete item;
-        }
-        const Course& course = draft_->course();
-        const auto progress = curriculum::course_progress(course, {});
-        preview_->addWidget(make_label(context_.in(course.title), "title"));
-        const auto next = curriculum::next_step(course, progress, db::task_titles(course), {}, "");
-        QLabel* why =
-            make_label(course.stages.empty() ? tr("What a trainee sees first appears here.")
-                                             : context_.in(next.reason),
-                       "muted");
-        why->setObjectName("preview_next");
-        preview_->addWidget(why);
-        for (size_t i = 0; i < course.stages.size(); ++i) {
-            const curriculum::CourseStage& stage = course.stages[i];
-            QStringList missing;
-            for (const std::string& id : progress.stages[i].missing)
-                missing << task_title(context_, id);
-            QString line =
-                QString("%1. %2 · %3 · %4")
-                    .arg(i + 1)
-                    .arg(task_title(context_, stage.task_id), mode_word(stage.mode),
-                         missing.isEmpty() ? tr("open")
-                                           : tr("opens when mastered: %1").arg(missing.join(", ")));
-            preview_->addWidget(make_label(line));
-            preview_->addWidget(make_label(stage_rule_words(stage), "small"));
-            if (stage.mode == curriculum::StageMode::kExam)
-                preview_->addWidget(make_label(exam_words(stage.exam), "small"));
-        }
     }
 
     void showStanding() {
@@ -395,7 +353,7 @@ class CourseEditorPage : public Page {
     int first_stage_ = 0;
     QListWidget* list_ = nullptr;
     StageForm* form_ = nullptr;
-    QVBoxLayout* preview_ = nullptr;
+    CoursePreview* preview_ = nullptr;
     QLineEdit* reason_ = nullptr;
     QLabel *course_problem_ = nullptr, *standing_ = nullptr;
     QPushButton *undo_ = nullptr, *redo_ = nullptr, *up_ = nullptr, *down_ = nullptr,
