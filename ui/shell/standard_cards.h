@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Parts of the page of standards: a pass mark from the estimates of judges, and how much each
-// metric is worth.
+// Parts of the page of standards: a pass mark from two groups or from the estimates of judges, and
+// how much each metric is worth.
 
 #include <cstdint>
 #include <functional>
@@ -11,7 +11,20 @@
 #include "assessment/standard_setting.h"
 #include "ui/shell/app_context.h"
 
+class QFrame;
+class QVBoxLayout;
+
 namespace placode::ui {
+
+/// A share as percent, without places.
+[[nodiscard]] QString percent_text(double share);
+
+/// The mark between two groups with its picture and its cost; or why there is none.
+/// @param novices, experts mean points of each person. @param saving adds what keeps the mark;
+/// absent for who may not.
+[[nodiscard]] QFrame* make_contrasting_card(AppContext& context, const std::vector<double>& novices,
+                                            const std::vector<double>& experts,
+                                            const std::function<void(QVBoxLayout*)>& saving);
 
 /// Reads the metrics of these people's attempts when asked to, on a worker, and shows the panel.
 [[nodiscard]] QWidget* make_quality_card(AppContext& context, const std::string& task_id,

@@ -12,7 +12,6 @@
 #include "assessment/standard_setting.h"
 #include "db/norm_bands.h"
 #include "db/standards.h"
-#include "reports/attempt_figures.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/standard_cards.h"
@@ -21,8 +20,6 @@
 namespace placode::ui {
 namespace {
 
-/// Fewer in a group carry no standard.
-constexpr int kFewInGroup = 10;
 constexpr int kLastAttempts = 3;
 
 /// Whose score counts once: a person, or a scripted operator that a person had play.
@@ -157,12 +154,8 @@ class StandardsPage : public Page {
                   "observed. %5")
             .arg(standard.novice.n)
             .arg(standard.expert.n)
-            .arg(percent(standard.novice.theoretical_wrong),
-                 percent(standard.novice.observed_wrong), qstr(set.reason));
-    }
-
-    [[nodiscard]] static QString percent(double share) {
-        return format_number(100 * share, 0) + " %";
+            .arg(percent_text(standard.novice.theoretical_wrong),
+                 percent_text(standard.novice.observed_wrong), qstr(set.reason));
     }
 
     /// The mark becomes the task's standard: attempts from now on are judged by it.
@@ -315,72 +308,13 @@ class StandardsPage : public Page {
             if (item->widget()) item->widget()->deleteLater();
             delete item;
         }
-        auto* layout = new QVBoxLayout;
-        layout->setSpacing(kSpace12);
-        layout->addWidget(make_label(tr("Contrasting groups"), "heading"));
         const std::vector<double> novices = values(1), experts = values(2);
-        if (novices.size() < 2 || experts.size() < 2) {
-            layout->addWidget(
-                make_label(tr("Choose at least two novices and two experts."), "muted"));
-            result_->addWidget(make_card(layout));
-            return;
-        }
-        try {
-            addResult(layout, assessment::contrasting_groups(novices, experts), novices, experts);
-        } catch (const std::invalid_argument& error) {
-            QLabel* why =
-                make_label(tr("These groups give no pass mark: their scores do not vary, or "
-                              "do not differ in the right direction."),
-                           "warn");
-            why->setObjectName("standard_problem");
-            layout->addWidget(why);
-            layout->addWidget(make_label(QString::fromUtf8(error.what()), "small"));
-        }
-        result_->addWidget(make_card(layout));
+        std::function<void(QVBoxLayout*)> saving;
+        if (context_.may(db::Action::kSetStandards, db::Scope::kOther))
+            saving = [this](QVBoxLayout* layout) { addSaving(layout); };
+        result_->addWidget(make_contrasting_card(context_, novices, experts, saving));
+        if (novices.size() < 2 || experts.size() < 2) return;
         result_->addWidget(make_quality_card(context_, task(), persons(1), persons(2)));
-    }
-
-    void addResult(QVBoxLayout* layout, const assessment::ContrastingGroups& result,
-                   const std::vector<double>& novices, const std::vector<double>& experts) {
-        QLabel* cut =
-            make_label(tr("Pass mark: %1 points").arg(format_number(result.cut_score, 1)), "title");
-        cut->setObjectName("cut_score");
-        layout->addWidget(cut);
-        const reports::ChartStyle style = chart_style(context_.theme());
-        QWidget* picture = make_picture(
-            [result, novices, experts, style](QPainter& painter, const QRectF& where) {
-                reports::draw_groups(painter, where, result, novices, experts, style);
-            },
-            QSize(480, 280), tr("Contrasting groups"), cut->text());
-        picture->setObjectName("groups_picture");
-        picture->setFixedHeight(290);
-        layout->addWidget(picture);
-        QTableWidget* table = make_table({tr("What"), tr("From the curves"), tr("Observed")},
-                                         tr("What the pass mark costs"));
-        table->setSortingEnabled(false);
-        table->setRowCount(2);
-        table->setItem(0, 0, make_cell(tr("Novices who would pass")));
-        table->setItem(0, 1, make_cell(percent(result.theoretical_false_positive)));
-        table->setItem(0, 2, make_cell(percent(result.observed_false_positive)));
-        table->setItem(1, 0, make_cell(tr("Experts who would fail")));
-        table->setItem(1, 1, make_cell(percent(result.theoretical_false_negative)));
-        table->setItem(1, 2, make_cell(percent(result.observed_false_negative)));
-        fit_columns(table, 0);
-        table->setColumnWidth(1, 160);
-        table->setColumnWidth(2, 160);
-        table->setFixedHeight(2 * kTouchTarget + 48);
-        layout->addWidget(table);
-        layout->addWidget(make_label(
-            tr("AUC %1, Cohen's d %2, Mann-Whitney p %3. Method: Jorgensen, Konge and Subhi 2018.")
-                .arg(format_number(result.auc, 2), format_number(result.cohens_d, 2),
-                     format_number(result.mannwhitney_p_cc, 3)),
-            "small"));
-        if (result.n_novice < kFewInGroup || result.n_expert < kFewInGroup)
-            layout->addWidget(make_label(
-                tr("Fewer than %1 people in a group: a first orientation, not a standard.")
-                    .arg(kFewInGroup),
-                "warn"));
-        if (context_.may(db::Action::kSetStandards, db::Scope::kOther)) addSaving(layout);
     }
 
     std::vector<std::string> known_;  ///< Tasks with attempts.
