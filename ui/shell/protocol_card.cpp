@@ -8,18 +8,14 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <algorithm>
-#include <memory>
 
 #include "curriculum/study.h"
 #include "db/study_conduct.h"
-#include "reports/export.h"
-#include "reports/study_report.h"
-#include "reports/words.h"
 #include "ui/shell/device_tester.h"
-#include "ui/shell/export_folder.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/study_exports.h"
 #include "ui/shell/study_parts.h"
-#include "ui/shell/study_preview.h"
+#include "ui/shell/study_publishing.h"
 #include "ui/shell/study_standing.h"
 #include "ui/shell/table_width.h"
 
@@ -27,7 +23,6 @@ namespace placode::ui {
 namespace {
 
 constexpr int kShownParticipants = 8;  ///< Of participants, before the table scrolls.
-constexpr int kShortestReason = 10;    ///< Characters, for names to leave.
 constexpr const char* kDeviceSetting = "study_device";
 
 /// Those that are published, and those that are shipped and could be.
@@ -60,7 +55,7 @@ class ProtocolCard : public QFrame {
         if (published)
             addConduct(layout, *published);
         else
-            addPublish(layout, protocol);
+            add_publishing(layout, context, page, protocol);
         outer->addWidget(make_card(layout));
     }
 
@@ -84,72 +79,9 @@ class ProtocolCard : public QFrame {
         return made;
     }
 
-    void addPublish(QVBoxLayout* layout, const curriculum::StudyProtocol& protocol) {
-        layout->addWidget(make_label(
-            tr("Not published yet. Publishing keeps this protocol for good; a change is a new "
-               "version with a reason. Check the consent text first."),
-            "muted"));
-        auto* row = new QHBoxLayout;
-        QLabel* version = make_label(
-            tr("The protocol that came with this program carries version %1: those before it were "
-               "replaced before anybody published them here.")
-                .arg(protocol.version),
-            "small");
-        version->setObjectName("version_words");
-        version->setVisible(protocol.version > 1);
-        row->addWidget(version, 1);
-        button(row, tr("Check the consent text"), "secondary", "search", "check_consent", [this] {
-            Q_EMIT page_.go({PageId::kProtocols,
-                             0,
-                             {},
-                             {{"kind", "study"}, {"id", qstr(study_)}, {"part", "consent"}}});
-        });
-        button(row, tr("Publish version %1").arg(protocol.version), "primary", "check",
-               "publish_study", [this, protocol] { publish(protocol); });
-        layout->addLayout(row);
-    }
-
-    /// A newer version came with the program: participants who are in keep theirs.
-    void addNewer(QVBoxLayout* layout, const curriculum::StudyProtocol& published) {
-        const auto shipped = curriculum::list_definitions("studies");
-        if (std::find(shipped.begin(), shipped.end(), study_) == shipped.end()) return;
-        const auto newer = curriculum::load_study(study_);
-        if (newer.version <= published.version) return;
-        auto* row = new QHBoxLayout;
-        row->addWidget(
-            make_label(tr("Version %1 came with this program. %2 Who is enrolled already keeps "
-                          "the version of that day.")
-                           .arg(newer.version)
-                           .arg(qstr(newer.reason)),
-                       "small"),
-            1);
-        button(row, tr("Publish version %1").arg(newer.version), "secondary", "check",
-               "publish_study", [this, newer] { publish(newer); });
-        layout->addLayout(row);
-    }
-
-    void publish(const curriculum::StudyProtocol& protocol) {
-        if (!confirm_draft(context_, window(), protocol.json)) return;
-        context_.guard(tr("Publishing the study"), [&] {
-            context_.require(db::Action::kRunQuestionnaire);
-            for (const auto& step : protocol.steps)
-                if (!step.questionnaire.empty())
-                    db::publish_on_first_use(context_.store(),
-                                             curriculum::load_questionnaire(step.questionnaire));
-            db::DefinitionRecord definition;
-            definition.kind = "study";
-            definition.id = protocol.id;
-            definition.version = protocol.version;
-            definition.json = protocol.json;
-            definition.reason = protocol.reason;
-            context_.store().definitions().publish(definition);
-            again();
-        });
-    }
-
     void addConduct(QVBoxLayout* layout, const curriculum::StudyProtocol& protocol) {
         list_ = db::study_progress(context_.store(), study_);
-        addNewer(layout, protocol);
+        add_newer_version(layout, context_, page_, protocol);
         auto* row = new QHBoxLayout;
         row->addWidget(
             make_label(tr("Version %1 · participants: %2").arg(protocol.version).arg(list_.size()),
@@ -164,7 +96,7 @@ class ProtocolCard : public QFrame {
         showDevice();
         layout->addWidget(flow(protocol));
         layout->addLayout(actions());
-        layout->addLayout(exports());
+        layout->addWidget(make_study_exports(context_, page_, study_));
     }
 
     /// With which device a participant works is the coordinator's choice, once, where the protocol
@@ -306,43 +238,6 @@ class ProtocolCard : public QFrame {
         return row;
     }
 
-    QHBoxLayout* exports() {
-        auto* row = new QHBoxLayout;
-        row->setSpacing(kSpace8);
-        for (const auto& [page, text, icon, name] :
-             {std::tuple{PageId::kStudyData, tr("Data"), "data", "open_data"},
-              {PageId::kStudyResults, tr("Results"), "results", "open_results"}})
-            button(row, text, "secondary", icon, name, [this, page = page] {
-                Q_EMIT page_.go({page, 0, {}, {{"study", qstr(study_)}}});
-            });
-        row->addStretch();
-        auto* format = new QComboBox;
-        format->setObjectName("study_export_format");
-        format->setAccessibleName(tr("Export format"));
-        for (const auto& each : reports::export_formats())
-            format->addItem(QCoreApplication::translate("ExportFormat", each.title),
-                            QString(each.name));
-        row->addWidget(format);
-        const bool may = context_.may(db::Action::kExportStudy);
-        identifying_ = new QLineEdit;
-        identifying_->setObjectName("identifying_reason");
-        identifying_->setAccessibleName(tr("Reason to include what names a person"));
-        identifying_->setPlaceholderText(tr("Reason to include names; audited"));
-        identifying_->setToolTip(
-            tr("Left empty, questions that name a person stay in the store. For who may see names "
-               "only."));
-        // Most have no right to it: the field is there for who has.
-        identifying_->setVisible(context_.may(db::Action::kViewPersonalData, db::Scope::kOther));
-        row->addWidget(identifying_);
-        button(row, tr("Export"), "secondary", "download", "study_export", [this, format] {
-            exportAs(format->currentData().toString());
-        })->setEnabled(may);
-        button(row, tr("Report"), "secondary", "report", "study_report", [this] {
-            report();
-        })->setEnabled(may);
-        return row;
-    }
-
     void enrol() {
         context_.guard(tr("Making a participant code"), [this] {
             context_.require(db::Action::kRunQuestionnaire);
@@ -384,70 +279,6 @@ class ProtocolCard : public QFrame {
         });
     }
 
-    void exportAs(const QString& format) {
-        const QString parent = context_.askFolder(this, tr("Export into this folder"));
-        if (parent.isEmpty()) return;
-        const QString folder = export_folder(parent, qstr(study_));
-        const QString reason = identifying_->text().trimmed();
-        if (!context_.guard(tr("Exporting the study"), [&] {
-                context_.require(db::Action::kExportStudy);
-                if (reason.isEmpty()) return;
-                context_.require(db::Action::kViewPersonalData, db::Scope::kOther);
-                if (reason.size() < kShortestReason)
-                    throw Refusal(
-                        tr("An export with names needs a reason of at least %1 characters.")
-                            .arg(kShortestReason));
-            }))
-            return;
-        auto count = std::make_shared<size_t>(0);
-        context_.background(
-            this, tr("Exporting the study"),
-            [study = study_, language = context_.language().toStdString(), format, folder, count,
-             named = !reason.isEmpty()](db::Store& store) {
-                const reports::ExportSource source{
-                    reports::study_dataset(store, study, {named, language}),
-                    reports::recordings_of(store)};
-                *count = reports::export_dataset(source, format.toStdString(), folder.toStdString())
-                             .size();
-            },
-            [this, format, folder, count, reason](bool done) {
-                if (!done) return;
-                context_.audit(
-                    ("export." + format).toUtf8().constData(), "study " + qstr(study_),
-                    folder + (reason.isEmpty() ? "" : "; WITH IDENTIFYING FIELDS: " + reason));
-                Q_EMIT page_.written(tr("%n file(s), read back and compared with the store: %1",
-                                        nullptr, static_cast<int>(*count))
-                                         .arg(folder),
-                                     folder);
-            });
-    }
-
-    void report() {
-        const QString path = context_.askSaveFile(this, tr("Save the report"),
-                                                  qstr(study_) + ".pdf", tr("PDF (*.pdf)"));
-        if (path.isEmpty()) return;
-        if (!context_.guard(tr("Making the report"),
-                            [&] { context_.require(db::Action::kExportStudy); }))
-            return;
-        context_.background(
-            this, tr("Making the report"),
-            [study = study_, language = context_.language().toStdString(), path,
-             context = &context_](db::Store& store) {
-                reports::write_study_pdf(
-                    reports::read_study_report(store, study, language), path.toStdString(),
-                    [context](const std::string& what) {
-                        Q_EMIT context->busyChanged(tr("Making the report: %1").arg(qstr(what)));
-                    });
-            },
-            [this, path](bool done) {
-                if (!done || !context_.guard(tr("Writing the audit"), [&] {
-                        context_.audit("report.study", "study " + qstr(study_), path);
-                    }))
-                    return;
-                Q_EMIT page_.written(tr("Report written: %1").arg(path), path);
-            });
-    }
-
     void setDevice(const std::string& code) {
         if (devices_ == nullptr) return;
         const QString device = devices_->currentData().toString();
@@ -475,7 +306,6 @@ class ProtocolCard : public QFrame {
     bool chosen_ = false;           ///< Somebody has chosen; what is found later changes nothing.
     QComboBox* mode_ = nullptr;
     QLineEdit* reason_ = nullptr;
-    QLineEdit* identifying_ = nullptr;  ///< Why names may leave; empty = they do not.
 };
 
 }  // namespace
