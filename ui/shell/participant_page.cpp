@@ -13,14 +13,15 @@
 #include "db/study_conduct.h"
 #include "db/study_records.h"
 #include "ui/shell/answer_fields.h"
+#include "ui/shell/answers_given.h"
 #include "ui/shell/pages.h"
+#include "ui/shell/participant_steps.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/study_preview.h"
 
 namespace placode::ui {
 namespace {
 
-using curriculum::ItemKind;
 using curriculum::QuestionnaireItem;
 
 class ParticipantPage : public Page {
@@ -43,14 +44,7 @@ class ParticipantPage : public Page {
             context.require(db::Action::kViewAttempts, db::Scope::kOther);
         else
             context.require(db::Action::kRunQuestionnaire);
-        const QVariantMap kept = place.state.value("answers").toMap();
-        for (auto it = kept.begin(); it != kept.end(); ++it)
-            answers_[it.key().toStdString()] = it.value().toString().toStdString();
-        for (const QVariant& each : place.state.value("changes").toList()) {
-            const QStringList change = each.toStringList();
-            changes_.push_back({change.value(0).toStdString(), change.value(1).toStdString(),
-                                change.value(2).toStdString(), change.value(3).toStdString()});
-        }
+        given_.takeFrom(place.state);
         auto* layout = new QVBoxLayout(this);
         layout->setContentsMargins(0, 0, 0, 0);
         steps_ = new QStackedWidget;
@@ -64,26 +58,20 @@ class ParticipantPage : public Page {
         return rating_of_ != 0 ? tr("Rate an attempt") : tr("Participant %1").arg(code_);
     }
     [[nodiscard]] QVariantMap state() const override {
-        QVariantMap kept;
-        for (const auto& [id, answer] : answers_) kept[qstr(id)] = qstr(answer);
-        QVariantList changes;
-        for (const db::AnswerChange& each : changes_)
-            changes << QStringList{qstr(each.item), qstr(each.old_answer), qstr(each.new_answer),
-                                   qstr(each.at_utc)};
-        return {{"answers", kept},
-                {"changes", changes},
-                {"questionnaire", qstr(questionnaire_.id)},
-                {"study", qstr(study_)},
-                {"visit", visit_},
-                {"run", run_},
-                {"rating_of", QVariant::fromValue<qint64>(rating_of_)},
-                {"second_of", QVariant::fromValue<qint64>(second_of_)},
-                {"version", questionnaire_.version},
-                {"paper", paper_},
-                {"preview", preview_}};
+        QVariantMap kept{{"questionnaire", qstr(questionnaire_.id)},
+                         {"study", qstr(study_)},
+                         {"visit", visit_},
+                         {"run", run_},
+                         {"rating_of", QVariant::fromValue<qint64>(rating_of_)},
+                         {"second_of", QVariant::fromValue<qint64>(second_of_)},
+                         {"version", questionnaire_.version},
+                         {"paper", paper_},
+                         {"preview", preview_}};
+        given_.keepIn(kept);
+        return kept;
     }
     [[nodiscard]] bool mayLeave() override {
-        if (submitted_ || answers_.empty() || !preview_.isEmpty()) return true;
+        if (submitted_ || given_.all().empty() || !preview_.isEmpty()) return true;
         return confirm(this, tr("Leave without submitting?"),
                        tr("The answers given so far are not saved."), tr("Leave"),
                        tr("Go on answering"));
@@ -153,7 +141,7 @@ class ParticipantPage : public Page {
     /// Questions are counted as they are seen: one that an answer hides leaves no gap.
     [[nodiscard]] QString markOf(const QuestionnaireItem& item) const {
         return qstr(
-            curriculum::question_mark(questionnaire_, item, showsAll() ? nullptr : &answers_));
+            curriculum::question_mark(questionnaire_, item, showsAll() ? nullptr : &given_.all()));
     }
     [[nodiscard]] QString headingOf(const QuestionnaireItem& item) const {
         QString text = markOf(item) + "  " + context_.in(item.text);
@@ -171,7 +159,7 @@ class ParticipantPage : public Page {
         headings_[item.id] = heading;
         layout->addWidget(heading);
         add_answer_field(layout, context_,
-                         {item, context_.in(item.text), answer(item.id), this,
+                         {item, context_.in(item.text), given_.of(item.id), this,
                           [this, id = item.id](const QString& text) { keep(id, text); },
                           // A field is left, too, when the window is taken down.
                           [page = QPointer<ParticipantPage>(this), &item] {
@@ -194,33 +182,8 @@ class ParticipantPage : public Page {
         return card;
     }
 
-    [[nodiscard]] QString answer(const std::string& id) const {
-        const auto found = answers_.find(id);
-        return found == answers_.end() ? QString() : qstr(found->second);
-    }
-
-    /// Every change is kept with its time; typing in one field is one change.
-    void logChange(const std::string& id, const std::string& before, const std::string& now) {
-        if (before == now) return;
-        const std::string at = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-        const QuestionnaireItem* item = questionnaire_.item(id);
-        const bool typed = item->kind == ItemKind::kText || item->kind == ItemKind::kNumber ||
-                           item->kind == ItemKind::kDate || item->kind == ItemKind::kVisualAnalogue;
-        if (typed && !changes_.empty() && changes_.back().item == id) {
-            changes_.back().new_answer = now;
-            changes_.back().at_utc = at;
-        } else {
-            changes_.push_back({id, before, now, at});
-        }
-    }
-
     void keep(const std::string& id, const QString& text) {
-        logChange(id, answer(id).toStdString(), text.toStdString());
-        if (text.isEmpty()) {
-            answers_.erase(id);
-        } else {
-            answers_[id] = text.toStdString();
-        }
+        given_.set(id, text);
         mark(id, {});
         message_->hide();
         showBranches();
@@ -234,17 +197,7 @@ class ParticipantPage : public Page {
         }
         for (const QuestionnaireItem& item : questionnaire_.items) {
             if (!item.show_if) continue;
-            const bool shown = curriculum::is_shown(questionnaire_, item, answers_);
-            if (shown && aside_.contains(item.id)) {
-                logChange(item.id, "", aside_[item.id]);
-                answers_[item.id] = aside_[item.id];
-                aside_.erase(item.id);
-            } else if (!shown && answers_.contains(item.id)) {
-                logChange(item.id, answers_[item.id], "");
-                aside_[item.id] = answers_[item.id];
-                answers_.erase(item.id);
-            }
-            cards_[item.id]->setVisible(shown);
+            cards_[item.id]->setVisible(given_.follow(item));
         }
         previewed_ = branching_seen_;
         for (const QuestionnaireItem& item : questionnaire_.items)
@@ -261,25 +214,8 @@ class ParticipantPage : public Page {
         missing_[id]->setVisible(!problem.isEmpty());
     }
 
-    /// What would be right, in the words of the question; empty when the answer is.
     [[nodiscard]] QString problemOf(const QuestionnaireItem& item) const {
-        const std::string given = answer(item.id).toStdString();
-        if (given.empty() || !curriculum::check_answer(item, given)) return {};
-        const QString name = context_.in(item.text);
-        const auto said = [](double limit) { return QLocale().toString(limit, 'g', 6); };
-        switch (item.kind) {
-            case ItemKind::kNumber:
-            case ItemKind::kVisualAnalogue: {
-                const QString unit = item.unit.empty() ? QString() : " " + qstr(item.unit);
-                return tr("%1: a number from %2 to %3")
-                           .arg(name, said(item.number_min), said(item.number_max)) +
-                       unit;
-            }
-            case ItemKind::kDate:
-                return tr("%1: a date such as 2026-11-21").arg(name);
-            default:
-                return tr("%1: one of the answers that are offered").arg(name);
-        }
+        return answer_problem(context_, item, given_.of(item.id));
     }
 
     /// The first field of the question that can be answered by keys.
@@ -294,8 +230,8 @@ class ParticipantPage : public Page {
         const QuestionnaireItem* first = nullptr;
         QStringList missing_marks, problems;
         for (const QuestionnaireItem& item : questionnaire_.items) {
-            const bool asked = curriculum::is_shown(questionnaire_, item, answers_);
-            const bool missing = asked && item.required && answers_.count(item.id) == 0;
+            const bool asked = curriculum::is_shown(questionnaire_, item, given_.all());
+            const bool missing = asked && item.required && given_.all().count(item.id) == 0;
             const QString problem = asked ? problemOf(item) : QString();
             mark(item.id, missing ? tr("This question needs an answer.") : problem);
             if (missing) missing_marks << markOf(item);
@@ -309,7 +245,7 @@ class ParticipantPage : public Page {
                     : tr("Questions %1 need an answer.").arg(missing_marks.join(", ")));
         if (first == nullptr) {
             // What only the whole shows, e.g. an answer to a hidden question.
-            if (const auto problem = curriculum::check_answers(questionnaire_, answers_))
+            if (const auto problem = curriculum::check_answers(questionnaire_, given_.all()))
                 problems << qstr(*problem);
         }
         message_->setText(problems.join("\n"));
@@ -321,62 +257,24 @@ class ParticipantPage : public Page {
         return false;
     }
 
-    void review() {
-        if (!complete()) return;
-        auto* step = new QWidget;
-        QVBoxLayout* column = make_column(step, 900);
-        column->addWidget(make_label(tr("Review"), "display"));
-        column->addWidget(make_label(
-            tr("Nothing is saved yet. Go back to change an answer, or submit."), "muted"));
-        auto* layout = new QVBoxLayout;
-        layout->setSpacing(kSpace12);
-        for (const QuestionnaireItem& item : questionnaire_.items) {
-            if (!curriculum::is_shown(questionnaire_, item, answers_)) continue;
-            auto* row = new QHBoxLayout;
-            row->setSpacing(kSpace16);
-            row->addWidget(make_label(markOf(item) + "  " + context_.in(item.text)), 1);
-            QLabel* given = make_label(shown(item), "heading");
-            given->setAlignment(Qt::AlignRight);
-            given->setMaximumWidth(320);
-            row->addWidget(given);
-            layout->addLayout(row);
-            layout->addWidget(make_rule());
-        }
-        column->addWidget(make_card(layout));
-        auto* row = new QHBoxLayout;
-        QPushButton* change = make_button(context_, tr("Change"), "secondary", "back");
-        change->setObjectName("change_answers");
-        connect(change, &QPushButton::clicked, this, [this, step] {
-            steps_->removeWidget(step);
-            step->deleteLater();
-        });
-        QPushButton* submit = make_button(context_, tr("Submit"), "primary", "check");
-        submit->setObjectName("submit_answers");
-        connect(submit, &QPushButton::clicked, this, [this] { this->submit(); });
-        row->addWidget(change);
-        row->addStretch();
-        row->addWidget(submit);
-        column->addLayout(row);
-        column->addStretch();
+    void showStep(QWidget* step, const char* button) {
         steps_->addWidget(step);
         steps_->setCurrentWidget(step);
-        submit->setFocus();
+        step->findChild<QPushButton*>(button)->setFocus();
     }
 
-    [[nodiscard]] QString shown(const QuestionnaireItem& item) const {
-        const QString given = answer(item.id);
-        if (given.isEmpty()) return "–";
-        if (given == curriculum::kNotApplicable && item.not_applicable) return tr("does not apply");
-        if (item.kind == ItemKind::kMultiple) {
-            QStringList chosen;
-            for (const int index :
-                 curriculum::answer_indices(given.toStdString()).value_or(std::vector<int>{}))
-                chosen << context_.in(item.choices.at(static_cast<size_t>(index)));
-            return chosen.join(", ");
-        }
-        if (item.kind == ItemKind::kChoice) return context_.in(item.choices.at(given.toUInt()));
-        if (item.kind == ItemKind::kLikert) return tr("%1 of %2").arg(given).arg(item.scale_max);
-        return item.unit.empty() ? given : given + " " + qstr(item.unit);
+    void review() {
+        if (!complete()) return;
+        const auto mark = [this](const QuestionnaireItem& item) { return markOf(item); };
+        QWidget* step = make_review_step(context_, questionnaire_, given_.all(), mark);
+        connect(step->findChild<QPushButton*>("change_answers"), &QPushButton::clicked, this,
+                [this, step] {
+                    steps_->removeWidget(step);
+                    step->deleteLater();
+                });
+        connect(step->findChild<QPushButton*>("submit_answers"), &QPushButton::clicked, this,
+                [this] { submit(); });
+        showStep(step, "submit_answers");
     }
 
     void submit() {
@@ -392,8 +290,8 @@ class ParticipantPage : public Page {
             record.questionnaire_version = questionnaire_.version;
             record.answered_utc =
                 QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-            record.answers = answers_;
-            record.changes = changes_;
+            record.answers = given_.all();
+            record.changes = given_.changes();
             record.visit = visit_;
             record.language = context_.language().toStdString();
             record.demonstration = context_.user().demonstration;
@@ -411,7 +309,7 @@ class ParticipantPage : public Page {
             rating.rater_id = context_.user().id;
             rating.questionnaire_id = questionnaire_.id;
             rating.questionnaire_version = questionnaire_.version;
-            rating.answers = answers_;
+            rating.answers = given_.all();
             (void)context_.store().reviews().save_rating(rating);
             submitted_ = true;
             Q_EMIT notice(tr("The rating is saved."));
@@ -421,7 +319,7 @@ class ParticipantPage : public Page {
 
     void saveSecondEntry() {
         context_.guard(tr("Saving the second entry"), [this] {
-            context_.store().records().save_second_entry({second_of_, answers_, {}, {}});
+            context_.store().records().save_second_entry({second_of_, given_.all(), {}, {}});
             submitted_ = true;
             Q_EMIT notice(tr("The second entry is saved; differences are listed below."));
             leave();
@@ -443,26 +341,10 @@ class ParticipantPage : public Page {
     }
 
     void showThanks() {
-        auto* step = new QWidget;
-        auto* layout = new QVBoxLayout(step);
-        layout->setSpacing(kSpace16);
-        layout->addStretch();
-        for (QLabel* label : {make_label(tr("Thank you."), "display"),
-                              make_label(tr("The answers of %1 are saved. Please hand the screen "
-                                            "back to the coordinator.")
-                                             .arg(code_),
-                                         "muted")}) {
-            label->setAlignment(Qt::AlignCenter);
-            layout->addWidget(label);
-        }
-        QPushButton* done = make_button(context_, tr("Back to the study"), "primary", "next");
-        done->setObjectName("participant_done");
-        connect(done, &QPushButton::clicked, this, [this] { leave(); });
-        layout->addWidget(done, 0, Qt::AlignHCenter);
-        layout->addStretch();
-        steps_->addWidget(step);
-        steps_->setCurrentWidget(step);
-        done->setFocus();
+        QWidget* step = make_thanks_step(context_, code_);
+        connect(step->findChild<QPushButton*>("participant_done"), &QPushButton::clicked, this,
+                [this] { leave(); });
+        showStep(step, "participant_done");
     }
 
     QString code_;
@@ -475,8 +357,7 @@ class ParticipantPage : public Page {
     int64_t rating_of_ = 0;  ///< A rater judges this attempt.
     int64_t second_of_ = 0;  ///< Typed a second time from paper: these answers.
     bool paper_ = false;     ///< Typed from paper by the coordinator.
-    curriculum::Answers answers_, aside_;
-    std::vector<db::AnswerChange> changes_;
+    AnswersGiven given_{questionnaire_};
     std::map<std::string, QFrame*> cards_;
     std::map<std::string, QLabel*> headings_, missing_;
     QStackedWidget* steps_ = nullptr;
