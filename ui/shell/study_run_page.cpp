@@ -3,7 +3,6 @@
 // Study run: leads one participant through the protocol, step by step. What is done is in the
 // store, so that an interruption costs nothing: the page goes on where the participant stopped.
 
-#include <QCheckBox>
 #include <QDateTime>
 #include <QHBoxLayout>
 #include <algorithm>
@@ -12,9 +11,9 @@
 #include "curriculum/study.h"
 #include "db/study_conduct.h"
 #include "reports/words.h"
+#include "ui/shell/consent_form.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
-#include "ui/shell/signature_pad.h"
 #include "ui/shell/study_parts.h"
 
 namespace placode::ui {
@@ -130,7 +129,12 @@ class StudyRunPage : public Page {
         layout->addWidget(make_label(nameOf(step), "title"));
         switch (step.kind) {
             case StepKind::kConsent:
-                addConsent(layout);
+                layout->addWidget(
+                    make_consent_form(context_, protocol_.consent,
+                                      {[this](const auto& agreed, const QString& signature) {
+                                           giveConsent(agreed, signature);
+                                       },
+                                       [this] { refuseConsent(); }}));
                 break;
             case StepKind::kBriefing:
                 for (const auto& text : step.text) layout->addWidget(make_label(context_.in(text)));
@@ -169,75 +173,6 @@ class StudyRunPage : public Page {
         return button;
     }
 
-    /// The text, a box for every statement, and the signature: on the screen, or on a sheet that
-    /// the coordinator keeps.
-    void addConsent(QVBoxLayout* layout) {
-        for (const auto& text : protocol_.consent.information)
-            layout->addWidget(make_label(context_.in(text)));
-        std::vector<std::pair<QCheckBox*, const curriculum::ConsentStatement*>> boxes;
-        for (const auto& statement : protocol_.consent.statements) {
-            auto* box = new QCheckBox(context_.in(statement.text));
-            box->setObjectName("consent_" + qstr(statement.id));
-            box->setMinimumHeight(kTouchTarget);
-            layout->addWidget(box);
-            boxes.emplace_back(box, &statement);
-        }
-        auto* pad = new SignaturePad(context_.colors().text, context_.colors().line);
-        pad->setObjectName("signature");
-        auto* on_paper = new QCheckBox(tr("Signed on paper; the coordinator keeps the sheet"));
-        on_paper->setObjectName("signed_on_paper");
-        on_paper->setMinimumHeight(kTouchTarget);
-        QPushButton* clear = make_button(context_, tr("Clear"), "quiet");
-        clear->setObjectName("clear_signature");
-        QPushButton* agree = make_button(context_, tr("I consent"), "primary", "check");
-        agree->setObjectName("consent_given");
-        agree->setEnabled(false);
-        QLabel* missing = make_label({}, "small");
-        missing->setObjectName("consent_missing");
-        const auto update = [boxes, agree, pad, on_paper, missing] {
-            pad->setEnabled(!on_paper->isChecked());
-            QStringList still;
-            const auto unread = std::count_if(boxes.begin(), boxes.end(), [](const auto& each) {
-                return !each.first->isChecked() && each.second->required;
-            });
-            if (unread > 0) still << tr("statements to agree to: %1").arg(unread);
-            if (!on_paper->isChecked() && pad->path().isEmpty())
-                still << tr("the signature, or the mark that it was signed on paper");
-            agree->setEnabled(still.isEmpty());
-            // It never grows shorter: nothing moves while somebody reaches for a button.
-            missing->setMinimumHeight(missing->height());
-            missing->setText(
-                still.isEmpty()
-                    ? tr("Nothing is missing.")
-                    : tr("To consent there is still missing: %1.").arg(still.join("; ")));
-        };
-        for (const auto& [box, unused] : boxes) connect(box, &QCheckBox::toggled, this, update);
-        connect(on_paper, &QCheckBox::toggled, this, update);
-        connect(clear, &QPushButton::clicked, this, [pad] { pad->clear(); });
-        pad->changed = update;
-        connect(agree, &QPushButton::clicked, this, [this, boxes, pad, on_paper] {
-            giveConsent(boxes, on_paper->isChecked() ? QString() : pad->path());
-        });
-        layout->addLayout(make_field(tr("Signature"), pad));
-        auto* row = new QHBoxLayout;
-        row->addWidget(on_paper);
-        row->addStretch();
-        row->addWidget(clear);
-        layout->addLayout(row);
-        QPushButton* refuse = make_button(context_, tr("I do not consent"), "secondary", "close");
-        refuse->setObjectName("consent_refused");
-        connect(refuse, &QPushButton::clicked, this, [this] { refuseConsent(); });
-        update();
-        auto* answer = new QHBoxLayout;
-        answer->addStretch();
-        answer->addWidget(refuse);
-        answer->addWidget(agree);
-        layout->addLayout(answer);
-        // Below the buttons, which stay where they are when it grows longer.
-        missing->setAlignment(Qt::AlignRight);
-        layout->addWidget(missing);
-    }
-
     /// Nothing of who does not consent may be used.
     void refuseConsent() {
         if (!confirm(window(), tr("You do not consent?"),
@@ -266,13 +201,8 @@ class StudyRunPage : public Page {
         });
     }
 
-    void giveConsent(
-        const std::vector<std::pair<QCheckBox*, const curriculum::ConsentStatement*>>& boxes,
-        const QString& signature) {
+    void giveConsent(const std::vector<std::string>& agreed, const QString& signature) {
         context_.guard(tr("Recording the consent"), [&] {
-            std::vector<std::string> agreed;
-            for (const auto& [box, statement] : boxes)
-                if (box->isChecked()) agreed.push_back(statement->id);
             db::record_consent(context_.store(), study_, code_.toStdString(),
                                context_.language().toStdString(), agreed, signature.toStdString());
             again();
