@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Parts of add_tissue_metrics() by subject. Private to assessment.
+
+#include <algorithm>
+#include <vector>
+
+#include "assessment/tissue_metrics.h"
+
+namespace placode::assessment {
+
+/// Events of one kind in the ledger.
+struct EventSum {
+    int count = 0;
+    double value = 0;  ///< Sum of Event::value.
+    double peak = 0;   ///< Largest Event::value2.
+};
+[[nodiscard]] inline EventSum total(const sim::Recording& recording, sim::EventKind kind) {
+    EventSum sum;
+    for (const sim::Event& event : recording.events) {
+        if (event.kind != kind) continue;
+        ++sum.count;
+        sum.value += event.value;
+        sum.peak = std::max(sum.peak, static_cast<double>(event.value2));
+    }
+    return sum;
+}
+
+[[nodiscard]] inline bool is_skin(sim::Tissue tissue) noexcept {
+    return tissue == sim::Tissue::kSkin || tissue == sim::Tissue::kThinSkin;
+}
+
+/// Where the incision runs, from what was removed.
+void add_incision(const sim::Recording& recording, std::vector<Metric>& out);
+/// How much of the ring is cut, from the number that the picture showed, and its gaps.
+void add_ring(const sim::Recording& recording, std::vector<Metric>& out);
+/// Planned contour that is cut, over the tip's way with the pedal down and in contact.
+void add_cutting_economy(const sim::Recording& recording, std::vector<Metric>& out);
+
+/// Peak and excessive force, and what was torn.
+void add_force(const sim::Recording& recording, std::vector<Metric>& out);
+/// Sums over the samples in which an instrument touches tissue.
+void add_contact_force(const sim::Recording& recording, std::vector<Metric>& out);
+
+/// Grasper and scissors. Nothing where the scene has neither.
+void add_dissection(const sim::Recording& recording, std::vector<Metric>& out);
+
+}  // namespace placode::assessment
