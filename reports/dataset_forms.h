@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Forms of a data set that are no questionnaire: participants with the care of their records, and
-// attempts (declared in dataset.h).
+// Parts of making a data set: its forms (that of attempts is declared in dataset.h), and the store
+// that it comes from.
 
 #include <functional>
 #include <map>
@@ -38,5 +38,10 @@ void add_study_fields(Form& form, const std::map<int64_t, const db::StepRecord*>
 /// A row each; at least one.
 [[nodiscard]] Form deviations_form(const std::vector<db::Deviation>& deviations,
                                    const DatasetOptions& options);
+/// Adds a form for every version of a questionnaire that was answered in `data.answers`.
+void add_questionnaires(db::Store& store, const DatasetOptions& options, Dataset& data);
+
+/// Identity of a store, from the first entry of its audit trail: the making of the store.
+[[nodiscard]] std::string identity_of(db::Store& store);
 
 }  // namespace placode::reports
