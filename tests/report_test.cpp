@@ -15,15 +15,15 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTemporaryDir>
-#include <cmath>
-#include <map>
 
+#include "report_fixture.h"
 #include "reports/attempt_figures.h"
-#include "reports/metric_groups.h"
 
 using namespace placode;
 
 namespace THIS_TEST {
+
+using namespace placode::test;
 
 QApplication& application() {
     static int argc = 1;
@@ -32,58 +32,6 @@ QApplication& application() {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     static QApplication app(argc, argv);
     return app;
-}
-
-std::vector<sim::Vec3> ellipse(double a, double b) {
-    std::vector<sim::Vec3> line;
-    for (int i = 0; i < 90; ++i)
-        line.emplace_back(a * std::cos(i * 4 * M_PI / 180), b * std::sin(i * 4 * M_PI / 180),
-                          0.001);
-    return line;
-}
-
-sim::Recording recording() {
-    sim::Recording result;
-    result.header.tools.resize(2);
-    result.header.tools[1].kind = sim::ToolKind::kScope;
-    result.header.geometry.skin_edge = ellipse(0.012, 0.008);
-    result.header.geometry.placode_edge = ellipse(0.008, 0.003);
-    result.header.geometry.planned_contour = ellipse(0.0095, 0.0045);
-    for (int i = 0; i < 360; ++i) {
-        sim::Sample sample;
-        sample.time_s = i * 0.01;
-        sample.tools[0].tip_m = {static_cast<float>(0.0095 * std::cos(i * M_PI / 180)),
-                                 static_cast<float>(0.0045 * std::sin(i * M_PI / 180)), 0.001F};
-        result.samples.push_back(sample);
-        if (i > 180) continue;
-        sim::Event event;
-        event.kind = sim::EventKind::kVaporised;
-        event.value = 3e-11F;
-        event.rest_position_m = sample.tools[0].tip_m;
-        result.events.push_back(event);
-    }
-    result.end.final_hash = 0xabcdef;
-    return result;
-}
-
-db::AttemptDetail attempt() {
-    db::AttemptDetail detail;
-    detail.record.id = 12;
-    detail.record.user_name = "Zofia \u0141ucka";
-    detail.record.task_id = "diathermy_ring";
-    detail.record.points = 61.5;
-    detail.record.demonstration = true;
-    detail.record.device = "script:novice";
-    detail.score.points = 61.5;
-    detail.score.verdict = assessment::Verdict::kFailed;
-    detail.score.reasons = {
-        {"placode_touched", "The needle touched the placode 2 times, first at 4 o'clock.", 12, 3.5,
-         false},
-        {"placode_burned", "The placode was burned.", 26.5, 7.25, true}};
-    for (const auto& definition : assessment::metric_definitions()) {
-        detail.metrics.values.push_back({std::string(definition.id), 1.0 / 3.0});
-    }
-    return detail;
 }
 
 int pixels_unlike(const QImage& image, QRgb background) {
@@ -275,135 +223,7 @@ TEST(Report, ManyReasonsGoOnOnTheNextPage) {
         EXPECT_TRUE(pages.join("").contains(QString("Reason number %1.").arg(i))) << i;
 }
 
-TEST(MetricGroups, EveryMetricHasAGroupThatItsNameFits) {
-    using reports::MetricGroup;
-    std::map<MetricGroup, int> counts;
-    for (const auto& each : assessment::metric_definitions())
-        ++counts[reports::group_of_metric(each.id)];
-    EXPECT_EQ(counts.size(), 10u) << "an empty group";
-    // What begins like nothing else is motion: it stays the only large one.
-    for (const auto& [group, count] : counts) EXPECT_LE(count, 25) << reports::group_title(group);
-    EXPECT_EQ(reports::group_of_metric("placode_impulse_mn_s"), MetricGroup::kPlacode);
-    EXPECT_EQ(reports::group_of_metric("path_length_left_mm"), MetricGroup::kHands);
-    EXPECT_EQ(reports::group_of_metric("path_length_mm"), MetricGroup::kMotion);
-}
-
-TEST(MetricGroups, WhatTheScoreLooksAtIsNeverLeftOut) {
-    sim::RecordingHeader header;
-    header.tools.resize(1);
-    header.tools[0].kind = sim::ToolKind::kGrasper;
-    const assessment::MetricSet metrics = attempt().metrics;
-    const auto has = [&](const std::vector<std::string>& scored, const char* id) {
-        for (const auto& group :
-             reports::grouped_metrics(metrics, reports::scope_of(header.tools, scored)))
-            for (const auto& each : group.metrics)
-                if (each.id == id) return true;
-        return false;
-    };
-    EXPECT_FALSE(has({}, "energy_on_s")) << "a grasper has no energy";
-    EXPECT_TRUE(has({"energy_on_s"}, "energy_on_s"));
-    EXPECT_TRUE(has({}, "grasps"));
-}
-
-TEST(MetricGroups, ATaskWithoutARingHasNoRingNumbers) {
-    sim::RecordingHeader header = recording().header;
-    const assessment::MetricSet metrics = attempt().metrics;
-    const auto has = [&](const std::vector<std::string>& scored, const assessment::MetricSet& of,
-                         const char* id) {
-        for (const auto& group :
-             reports::grouped_metrics(of, reports::scope_of(header.tools, scored)))
-            for (const auto& each : group.metrics)
-                if (each.id == id) return true;
-        return false;
-    };
-    EXPECT_FALSE(has({"steps_done_percent"}, metrics, "ring_completeness_percent"));
-    EXPECT_TRUE(has({"outside_band_mm"}, metrics, "ring_completeness_percent"));
-    EXPECT_TRUE(has({}, metrics, "ring_completeness_percent")) << "nobody knows the task any more";
-    // Two names for nearly the same, and counts that are 0 because every hand was calm.
-    header.tools[1].kind = sim::ToolKind::kGrasper;
-    EXPECT_TRUE(has({}, metrics, "idle_percent"));
-    EXPECT_FALSE(has({}, metrics, "neither_moving_percent"));
-    EXPECT_TRUE(has({"neither_moving_percent"}, metrics, "neither_moving_percent"));
-    EXPECT_TRUE(has({}, metrics, "movements"));
-    assessment::MetricSet calm;
-    calm.values = {{"path_length_mm", 125}, {"movements", 0}, {"speed_peaks_per_min", 0}};
-    EXPECT_FALSE(has({}, calm, "movements"));
-    EXPECT_FALSE(has({}, calm, "speed_peaks_per_min"));
-    EXPECT_TRUE(has({"movements"}, calm, "movements"));
-    EXPECT_TRUE(reports::nothing_moved_fast(calm));
-}
-
-/// A recording of a shipped task; `first_done` of its steps were done.
-sim::Recording recording_of(const char* task_id, int first_done = 0) {
-    const curriculum::Task task = curriculum::load_task(task_id);
-    sim::Recording result = recording();
-    result.header.task_id = task_id;
-    result.header.task_json = task.json;
-    result.header.tools = task.scene.tools;
-    std::erase_if(result.events,
-                  [](const sim::Event& event) { return event.kind == sim::EventKind::kVaporised; });
-    const auto add = [&](sim::EventKind kind, double value, double time_s) {
-        sim::Event event;
-        event.kind = kind;
-        event.value = static_cast<float>(value);
-        event.time_s = time_s;
-        result.events.push_back(event);
-    };
-    add(sim::EventKind::kPhase, static_cast<double>(sim::Phase::kIncise), 0);
-    add(sim::EventKind::kPracticeSteps, static_cast<double>(task.steps.size()), 0);
-    for (int i = 0; i < first_done; ++i) add(sim::EventKind::kStepDone, i, i);
-    result.end.duration_s = 10;
-    return result;
-}
-
-TEST(TaskScope, EveryShippedTaskShowsWhatItIsAbout) {
-    struct Expected {
-        const char* task;
-        bool ring, line, energy, resection, jaws, scissors;
-    };
-    for (const Expected& each : {Expected{"diathermy_ring", true, true, true, false, false, false},
-                                 {"sb_dissection", true, true, true, true, true, true},
-                                 {"touch_targets", false, false, false, false, false, false},
-                                 {"trace_contour", false, true, false, false, false, false},
-                                 {"grasp_and_lift", false, false, false, false, true, false},
-                                 {"two_handed_traction", false, false, false, false, true, false},
-                                 {"scissors_resection", false, true, false, true, true, true},
-                                 {"familiarisation", false, false, true, false, true, false}}) {
-        const curriculum::Task task = curriculum::load_task(each.task);
-        const reports::TaskScope scope = reports::scope_of(task);
-        EXPECT_EQ(scope.ring, each.ring) << each.task;
-        EXPECT_EQ(scope.line, each.line) << each.task;
-        EXPECT_EQ(scope.energy, each.energy) << each.task;
-        EXPECT_EQ(scope.resection, each.resection) << each.task;
-        EXPECT_EQ(scope.jaws, each.jaws) << each.task;
-        EXPECT_EQ(scope.scissors, each.scissors) << each.task;
-        for (const assessment::RubricItem& item : task.rubric.items)
-            EXPECT_TRUE(reports::belongs(scope, item.metric)) << each.task << " " << item.metric;
-        // A recording of it says the same.
-        const reports::TaskScope kept = reports::scope_of(recording_of(each.task).header);
-        EXPECT_EQ(kept.ring, each.ring) << each.task;
-        EXPECT_EQ(kept.line, each.line) << each.task;
-    }
-    const reports::TaskScope touch = reports::scope_of(curriculum::load_task("touch_targets"));
-    for (const char* cutting : {"ring_completeness_percent", "largest_gap_mm", "off_line_mm",
-                                "energy_j", "placode_peak_c", "snips", "marked_gone_percent"})
-        EXPECT_FALSE(reports::belongs(touch, cutting)) << cutting;
-    for (const char* touching : {"target_error_mm", "path_length_mm", "placode_contacts"})
-        EXPECT_TRUE(reports::belongs(touch, touching)) << touching;
-}
-
-TEST(TaskScope, ATouchingTaskHasNeitherPhasesNorALaneOfEnergy) {
-    const auto picture = [](const char* task) {
-        const sim::Recording made = recording_of(task);
-        return reports::ledger_picture(made, reports::scope_of(made.header));
-    };
-    EXPECT_TRUE(picture("touch_targets").phases.empty());
-    EXPECT_EQ(picture("touch_targets").lanes, assessment::kHarmLanes - 1);
-    EXPECT_FALSE(picture("diathermy_ring").phases.empty());
-    EXPECT_EQ(picture("diathermy_ring").lanes, assessment::kHarmLanes);
-}
-
-TEST(TaskScope, ThePdfOfATouchingTaskDoesNotSpeakOfCutting) {
+TEST(Report, ThePdfOfATouchingTaskDoesNotSpeakOfCutting) {
     application();
     const QTemporaryDir folder;
     const auto text_of = [&](const char* task) {
