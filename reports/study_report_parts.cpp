@@ -15,8 +15,6 @@ namespace {
 
 constexpr const char* kRatersForm = "osats";
 
-QString safe(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
-
 void write_analysis_table(Paper& paper, const Analysis& analysis) {
     if (!analysis.problem.empty()) {
         paper.html("<p><b>" + safe(analysis.title) + ".</b> " + safe(analysis.problem) + "</p>");
