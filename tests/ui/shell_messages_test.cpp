@@ -1,31 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Messages: they float over the page and move nothing, keep clear of its button, go away as they
-// should, and speak the user's words; what a part of the program said stands behind "Details".
+// Messages: they float over the page and move nothing, keep clear of its button and go away as they
+// should; what a part of the program said stands behind "Details". Their words: shell_trouble_test.
 
 #include <QAccessible>
 #include <QApplication>
 #include <QClipboard>
-#include <QFile>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
-#include <QRegularExpression>
 #include <QScreen>
 #include <QSettings>
 #include <QThread>
 #include <atomic>
-#include <filesystem>
-#include <new>
 
-#include "curriculum/definitions.h"
-#include "db/access.h"
-#include "haptics/station.h"
-#include "reports/report.h"
+#include "seen_text.h"
 #include "shell_harness.h"
 #include "ui/shell/messages.h"
 #include "ui/shell/parts.h"
-#include "ui/shell/replay_place.h"
 
 namespace placode::ui {
 namespace {
@@ -33,32 +25,6 @@ namespace {
 int alerts = 0;
 void count_alerts(QAccessibleEvent* event) {
     if (event->type() == QAccessible::Alert) ++alerts;
-}
-
-/// All that a person could read of a widget now.
-QString read_all(const QWidget* widget) {
-    QStringList all;
-    for (const auto* label : widget->findChildren<QLabel*>())
-        if (label->isVisible()) all << label->text();
-    for (const auto* edit : widget->findChildren<QPlainTextEdit*>())
-        if (edit->isVisible()) all << edit->toPlainText();
-    return all.join("\n");
-}
-
-std::exception_ptr thrown(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (...) {
-        return std::current_exception();
-    }
-    return {};
-}
-
-/// What only a developer reads.
-bool for_developers(const QString& text) {
-    static const QRegularExpression kSigns(
-        "sqlite:|postgresql:|SQL|\\.so\\b|errno|/tmp|/dev/|libHD|SELECT|what\\(\\)|0x|exit status");
-    return kSigns.match(text).hasMatch();
 }
 
 }  // namespace
@@ -94,14 +60,6 @@ class ShellMessagesTest : public QObject {
     void whatWasWrittenCanBeOpened();
     void filesGoWhereTheLastOneWent();
     void languageAndThemeKeepThem();
-    void everyTroubleHasUserWords_data();
-    void everyTroubleHasUserWords();
-    void endingsOfTheSimulatorHaveUserWords();
-    void everyRefusalOfTheStoreIsInTheCatalogue();
-    void whoMayNotIsToldWhoCan();
-    void damagedLeftoversAreToldInWords();
-    void aReplayGoesBesideItsControls();
-    void aReplayLeavesTheTimeLineInSight();
 
  private:
     [[nodiscard]] Notices* notices() const { return shell_->window().findChild<Notices*>(); }
@@ -412,253 +370,6 @@ void ShellMessagesTest::languageAndThemeKeepThem() {
     shell_->context().signOut();
     QCOMPARE(notices()->count(), 0);
     QVERIFY(shell_->signIn("ada", "correct horse"));
-}
-
-void ShellMessagesTest::everyTroubleHasUserWords_data() {
-    using Kind = db::StoreError::Kind;
-    QTest::addColumn<std::function<void()>>("work");
-    QTest::addColumn<QString>("expected");
-    const auto row = [](const char* name, std::function<void()> work, const char* expected) {
-        QTest::newRow(name) << work << QString(expected);
-    };
-    const auto store = [](Kind kind, const char* said) {
-        return [kind, said] { throw db::StoreError(kind, said); };
-    };
-    row("locked", store(Kind::kLocked, "save sqlite:/tmp/x.db: database is locked; wait"),
-        "locked by another program");
-    row("damaged", store(Kind::kDamaged, "open sqlite:/tmp/x.db: file is not a database"),
-        "Restore a backup");
-    row("new", store(Kind::kTooNew, "open sqlite:/tmp/x.db: migration 99"), "Update Placode");
-    row("gone", store(Kind::kUnavailable, "open postgresql://h/x: connection refused (errno 111)"),
-        "cannot be reached");
-    row("full", store(Kind::kUnavailable, "save sqlite:/tmp/x.db: the disk is full; make room"),
-        "disk is full");
-    row("taken",
-        store(Kind::kConflict,
-              "create a user in sqlite:/tmp/x.db: the login is taken; choose another one"),
-        "The login is taken; choose another one.");
-    // As the store really says it, with the name in quotation marks.
-    row("taken by name",
-        store(
-            Kind::kConflict,
-            "create the user \"anna\" in sqlite:/tmp/x.db: the login is taken; choose another one"),
-        "The login is taken; choose another one.");
-    row("conflict", store(Kind::kConflict, "save sqlite:/tmp/x.db: UNIQUE constraint failed: SQL"),
-        "done already");
-    row("refused",
-        store(Kind::kRefused, "set a PIN in sqlite:/tmp/x.db: a PIN has four to twelve digits"),
-        "A PIN has four to twelve digits.");
-    row("missing", store(Kind::kNotFound, "read sqlite:/tmp/x.db: there is no attempt 9"),
-        "not there any more");
-    row("sql", store(Kind::kOther, "save sqlite:/tmp/x.db: near SELECT: SQL error; nothing"),
-        "Nothing was changed");
-    row(
-        "own", [] { throw Refusal("A person needs a name."); }, "A person needs a name.");
-    row(
-        "device",
-        [] {
-            throw haptics::DeviceError(
-                "openhaptics: libHD.so.3.4: cannot open shared object file. Install");
-        },
-        "Choose another device");
-    row(
-        "report",
-        [] { throw reports::ReportError("write report to /tmp/a.pdf: Permission denied; choose"); },
-        "You may not write there");
-    row(
-        "program", [] { throw LaunchError(LaunchError::Kind::kMissing, "/tmp/placode-sim: not"); },
-        "install Placode again");
-    row(
-        "busy", [] { throw LaunchError(LaunchError::Kind::kBusy, "another /tmp/attempt"); },
-        "still running");
-    row(
-        "file",
-        [] {
-            throw std::filesystem::filesystem_error(
-                "cannot copy", "/tmp/x", std::make_error_code(std::errc::no_space_on_device));
-        },
-        "disk is full");
-    row(
-        "memory", [] { throw std::bad_alloc(); }, "not enough memory");
-    row(
-        "other", [] { throw std::runtime_error("what(): vector::_M_range_check 0x7f"); },
-        "Nothing was changed");
-}
-
-void ShellMessagesTest::everyTroubleHasUserWords() {
-    QFETCH(std::function<void()>, work);
-    QFETCH(QString, expected);
-    const Problem english = problem_of(thrown(work), "Saving");
-    QVERIFY2(english.said().contains(expected), qPrintable(english.said()));
-    QVERIFY2(!for_developers(english.said()), qPrintable(english.said()));
-    const bool own = qstrcmp(QTest::currentDataTag(), "own") == 0;
-    QVERIFY(own || !english.way_out.isEmpty());
-    QCOMPARE(english.detail.isEmpty(), own);
-    QVERIFY(!english.open_details);
-    if (own) return;
-    shell_->context().setLanguage("pl");
-    const Problem polish = problem_of(thrown(work), "Zapis");
-    shell_->context().setLanguage("en");
-    QVERIFY2(polish.title != english.title, qPrintable(polish.title));
-    QVERIFY2(polish.way_out != english.way_out, qPrintable(polish.way_out));
-    QCOMPARE(polish.detail, english.detail);  // exact words have one language
-}
-
-void ShellMessagesTest::endingsOfTheSimulatorHaveUserWords() {
-    const auto said = [](const ProgramEnd& end) {
-        const Problem problem = simulator_problem(end);
-        return problem.said() + (for_developers(problem.said()) ? " FOR DEVELOPERS" : "");
-    };
-    const QString device =
-        said({false, 2, false, "openhaptics",
-              "placode-sim: openhaptics: libHD.so.3.4: cannot open\nplacode-sim: "
-              "without it: --device mouse; --list-devices says what is there"});
-    QVERIFY2(device.contains("could not be started") && device.contains("OpenHaptics") &&
-                 !device.contains("FOR DEVELOPERS"),
-             qPrintable(device));
-    QVERIFY(said({false, 1, false, "mouse", "placode-sim: no display to open a window on (X11)"})
-                .contains("no screen"));
-    QVERIFY(said({false, 1, true, "mouse", "placode-sim: write: No space left on device"})
-                .contains("disk is full"));
-    const QString crash = said({true, 11, true, "mouse", "0x7fff: segfault"});
-    QVERIFY2(crash.contains("unexpectedly") && crash.contains("kept") &&
-                 !crash.contains("FOR DEVELOPERS"),
-             qPrintable(crash));
-    QVERIFY(simulator_problem({true, 11, true, "mouse", {}}).detail.contains("signal 11"));
-    QVERIFY(said({false, 1, true, {}, "placode-sim: chunk 3"}).contains("score are untouched"));
-    // What sound libraries print at every start has nothing to do with it.
-    const Problem noisy = simulator_problem(
-        {false, 1, true, "mouse",
-         "ALSA lib confmisc.c:855:(parse_card) cannot find card '0'\n"
-         "ALSA lib pcm.c:2664:(snd_pcm_open_noupdate) Unknown PCM default\n"
-         "[ALSOFT] (EE) Failed to open device\nplacode-sim: write: No space left on device"});
-    QCOMPARE(noisy.detail,
-             QString("placode-sim: write: No space left on device\nplacode-sim: exit status 1"));
-}
-
-void ShellMessagesTest::everyRefusalOfTheStoreIsInTheCatalogue() {
-    // Literals that follow kRefused in the store's sources; the beginning of each has to be known.
-    static const QRegularExpression kLiteral(
-        "k(?:Refused),\\s*(?:path_?,\\s*)?\"((?:[^\"\\\\]|\\\\.)*)\"");
-    QDir folder(PLACODE_SOURCE_DIR "/db");
-    int checked = 0;
-    for (const QString& name : folder.entryList({"*.cpp"})) {
-        // Never from the shell, but for a station's log-in, whose sentence is looked for below.
-        if (name == "load_generator.cpp" || name == "reading_store.cpp" ||
-            name == "station_role.cpp" || name == "work_queue.cpp" || name == "erasure.cpp" ||
-            name == "store_move.cpp")
-            continue;
-        QFile file(folder.filePath(name));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        auto found = kLiteral.globalMatch(QString::fromUtf8(file.readAll()));
-        while (found.hasNext()) {
-            QString literal = found.next().captured(1).replace("\\\"", "\"");
-            if (literal.size() < 6 || literal.startsWith("consent of") ||
-                literal.startsWith("answers of") || literal.contains("nothing was changed"))
-                continue;
-            ++checked;
-            bool known = false;
-            for (const QString& sentence : store_sentences()) {
-                const QString beginning = sentence.section('%', 0, 0);
-                known = known || (!beginning.isEmpty() &&
-                                  (literal.startsWith(beginning) || beginning.startsWith(literal)));
-            }
-            QVERIFY2(known, qPrintable(name + ": " + literal));
-        }
-    }
-    QVERIFY(checked > 25);
-    const QStringList all = store_sentences();
-    QVERIFY(std::any_of(all.begin(), all.end(), [](const QString& each) {
-        return each.startsWith("this log-in to the server can do more than a station should");
-    }));
-    // A store that has moved, as its place says so when it is opened, and its triggers later.
-    shell_->context().setLanguage("pl");
-    const QString moved =
-        "open sqlite:/a.db: the store was moved to postgresql://db:5432/p; use that address, or "
-        "bring it back with `placodectl --store postgresql://db:5432/p store move --to "
-        "sqlite:/a.db`";
-    for (const QString& said : {moved, moved + "; nothing was changed"}) {
-        const QString words = store_words(said);
-        QVERIFY2(words.startsWith("Magazyn danych przeniesiono do postgresql://db:5432/p;") &&
-                     words.contains("`placodectl --store postgresql://db:5432/p store move"),
-                 qPrintable(words));
-    }
-    shell_->context().setLanguage("en");
-}
-
-void ShellMessagesTest::whoMayNotIsToldWhoCan() {
-    shell_->context().setLanguage("pl");
-    for (int i = 0; i < 24; ++i) {
-        const QString english = QString::fromStdString(db::refusal(static_cast<db::Action>(i)));
-        const QString polish = store_words(english);
-        QVERIFY2(!polish.isEmpty() && !polish.contains(" can"), qPrintable(english));
-    }
-    shell_->context().setLanguage("en");
-    QCOMPARE(store_words(QString::fromStdString(db::refusal(db::Action::kViewAudit))),
-             QString("You may not see the audit trail; an administrator can."));
-}
-
-void ShellMessagesTest::damagedLeftoversAreToldInWords() {
-    QDir().mkpath(shell_->context().recordingsFolder());
-    QFile file(shell_->context().recordingsFolder() + "/broken.placode");
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("this is no recording");
-    file.close();
-    shell_->window().open({PageId::kRecovery, 0, {}, {}});
-    QVERIFY(shell_->arrives(PageId::kRecovery));
-    QTest::qWait(80);  // until the page is on the screen
-    const QString seen = read_all(shell_->window().page());
-    QVERIFY2(seen.contains("cannot be scored") && seen.contains("A recording\n"), qPrintable(seen));
-    QVERIFY2(!seen.contains("broken.placode") && !for_developers(seen), qPrintable(seen));
-    QVERIFY(shell_->window().page()->findChild<Details*>()->text().contains("broken.placode"));
-    shell_->shot("67_recovery_damaged");
-    QVERIFY(file.remove());
-}
-
-void ShellMessagesTest::aReplayGoesBesideItsControls() {
-    const QRect screen(0, 0, 1920, 1080);
-    const auto clear = [](const QRect& place, const QRect& controls, const QRect& all) {
-        return place.isValid() && all.contains(place) && !place.intersects(controls) &&
-               place.width() >= 420;
-    };
-    // A laptop's window in the corner of a desk's screen: beside it or below the controls.
-    for (const QRect& window : {QRect(0, 0, 1366, 768), QRect(500, 200, 1366, 768), screen}) {
-        const QRect controls(window.x() + 216, window.y() + 60, window.width() - 216, 220);
-        const QRect place = replay_place({screen}, window, controls);
-        QVERIFY2(clear(place, controls, screen), qPrintable(QString::number(place.x())));
-    }
-    // A full small screen: over the page, below the controls.
-    const QRect small(0, 0, 1366, 768), controls(216, 60, 1150, 220);
-    QVERIFY(clear(replay_place({small}, small, controls), controls, small));
-    // A second screen is free.
-    const QRect second(1920, 0, 1920, 1080);
-    QVERIFY(second.contains(replay_place({screen, second}, screen, {216, 60, 1704, 220})));
-    const auto both = two_of(replay_place({second}, screen, {216, 60, 1704, 220}));
-    QCOMPARE(both.size(), size_t{2});
-    QVERIFY(!both[0].intersects(both[1]));
-    QVERIFY(replay_place({QRect(0, 0, 400, 300)}, QRect(0, 0, 400, 300), QRect(0, 0, 400, 300))
-                .isNull());
-}
-
-void ShellMessagesTest::aReplayLeavesTheTimeLineInSight() {
-    QWidget window;
-    const QRect screen = window.screen()->availableGeometry();
-    window.setGeometry(screen.adjusted(0, 40, -100, -40));  // No room beside it.
-    QWidget controls(&window), line(&window);
-    controls.setGeometry(0, 0, window.width(), 200);
-    line.setGeometry(0, 200, window.width(), 150);
-    window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&window));
-    const auto covers = [](const QRect& place, const QWidget& part) {
-        return place.intersects(QRect(part.mapToGlobal(QPoint(0, 0)), part.size()));
-    };
-    QVERIFY(covers(replay_place(controls), line));
-    const QRect place = replay_place(controls, &line);
-    QVERIFY(place.isValid() && !covers(place, line) && !covers(place, controls));
-    // A line that leaves no room gives way: to watch is what the person came for.
-    line.resize(window.width(), window.height() - 200);
-    const QRect over = replay_place(controls, &line);
-    QVERIFY(over.isValid() && !covers(over, controls));
 }
 
 }  // namespace placode::ui
