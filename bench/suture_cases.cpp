@@ -4,17 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 
-#include "curriculum/scene_changes.h"
-#include "curriculum/task.h"
-#include "environment/environment.h"
-#include "environment/expert.h"
-#include "sim/anatomy/operative_field.h"
+#include "bench/suture_stage.h"
 #include "sim/core/number_text.h"
 #include "sim/core/random.h"
-#include "sim/step/step.h"
 
 namespace placode::bench {
 namespace {
@@ -24,7 +18,6 @@ using sim::Pose;
 using sim::StabilityVerdict;
 using sim::Vec3;
 
-constexpr const char* kTask = "suture_bite";
 constexpr double kStillM = 1e-5;    // what lies still moves less
 constexpr double kBackM = 2e-4;     // the surface, from where it lay before the needle came
 constexpr double kBoundsM = 0.020;  // no part of the tissue gets so far from its place
@@ -34,147 +27,10 @@ constexpr int64_t kFramesOfABite = 4000;
 constexpr double kOpenRad = 0.6;
 constexpr double kIntoBiteS = 0.25;  // after the point went in
 
-/// What the scripted expert's hand asks, frame by frame, and what happened.
-struct Bite {
-    uint64_t seed = 1;  ///< Of the field.
-    std::vector<sim::Input> inputs;
-    std::vector<sim::Event> events;
-    [[nodiscard]] double time_of(EventKind kind) const {
-        for (const sim::Event& event : events)
-            if (event.kind == kind) return event.time_s;
-        throw std::runtime_error(std::string("the scripted expert's bite has no event: ") +
-                                 std::string(sim::event_name(kind)));
-    }
-};
-
-const Bite& experts_bite() {
-    static const Bite bite = [] {
-        environment::EnvironmentOptions options;
-        options.units = environment::ActionUnits::kAbsolute;
-        options.record = true;
-        options.judge_every_s = 0;
-        environment::Environment world(std::make_shared<environment::FieldCache>(), kTask, options);
-        world.reset(1);
-        environment::Expert expert(world, "expert", 1);
-        std::vector<double> action(world.tools() * environment::kActionSize);
-        while (!world.ended()) {
-            const bool done = expert.act(world, 10, action);
-            (void)world.step(action, 10, done);
-        }
-        const sim::Recording& recording = world.recording();
-        return Bite{recording.header.seed, recording.inputs, recording.events};
-    }();
-    return bite;
-}
-
-/// The field with its needle, in the hands of a case.
-class Stage {
- public:
-    explicit Stage(const char* changes = "{}")
-        : task_(task_with(changes)),
-          scene_(sim::build_operative_field(task_.scene)),
-          state_(std::make_unique<sim::State>(*scene_, 1)),
-          inputs_(scene_->tools.size()),
-          feedback_(inputs_.size()) {
-        sim::settle(*scene_, *state_, task_.settle_s);
-        for (size_t i = 0; i < inputs_.size(); ++i)
-            if (scene_->tools[i].kind == sim::ToolKind::kNeedleDriver) driver_ = i;
-        at_rest_.assign(state_->body.x.begin(), state_->body.x.end());
-    }
-
-    /// Does what the expert did until `time_s`.
-    void bite_until(double time_s) {
-        for (const sim::Input& input : experts_bite().inputs) {
-            if (state_->time_s >= time_s) return;
-            std::copy_n(input.tools, inputs_.size(), inputs_.begin());
-            frame();
-        }
-        throw std::runtime_error("the scripted expert's bite ended too early");
-    }
-    /// Changes what the driver's hand asks.
-    void hand(const Pose& X_WT, double jaw_rad, bool engaged = true) {
-        inputs_[driver_].set_pose(X_WT);
-        inputs_[driver_].jaw_rad = static_cast<float>(jaw_rad);
-        inputs_[driver_].engaged = engaged ? 1 : 0;
-    }
-    void frame() {
-        const sim::StepReport report = sim::step(*scene_, *state_, inputs_, feedback_);
-        const bool not_finite = (report.flags & sim::kNotFinite) != 0;
-        if (not_finite || !needle().needle.p.allFinite()) finite_ = false;
-        for (int i = 0; i < state_->event_count; ++i) {
-            const EventKind kind = state_->events[static_cast<size_t>(i)].kind;
-            torn_ += kind == EventKind::kTorn ? 1 : 0;
-            cuts_ += kind == EventKind::kThreadCut || kind == EventKind::kThreadToreOut ? 1 : 0;
-            dropped_ += kind == EventKind::kNeedleReleased ? 1 : 0;
-        }
-        if (state_->frame % 10 == 0) farthest_m_ = std::max(farthest_m_, farthest());
-    }
-    void frames(double seconds) {
-        const auto count = std::llround(seconds / scene_->body.spec().solver.frame_s);
-        for (int64_t n = 0; n < count; ++n) frame();
-    }
-
-    /// Largest way of tissue that something holds from where it lay before anything came; what was
-    /// torn off drifts or goes where it is drawn.
-    [[nodiscard]] double farthest() const {
-        double most = 0;
-        const sim::SoftBodyState& body = state_->body;
-        for (int32_t t = 0; t < scene_->body.tet_count(); ++t) {
-            const auto at = static_cast<size_t>(t);
-            if (body.tet_alive[at] == 0 || state_->pieces.of[at] >= 0) continue;
-            for (const int32_t v : corners(scene_->body, body, t)) {
-                // Copies that cuts and tears made began at another vertex's place.
-                const auto n = static_cast<size_t>(v);
-                if (n >= at_rest_.size() || body.free_vertex[n] != 0) continue;
-                const double way = (to_vec(body.x[n]) - to_vec(at_rest_[n])).norm();
-                most = std::isfinite(way) ? std::max(most, way) : 1;
-            }
-        }
-        return most;
-    }
-    /// Speed of the fastest vertex that anything holds; crumbs drift.
-    [[nodiscard]] double fastest() const {
-        double most = 0;
-        const sim::SoftBodyState& body = state_->body;
-        for (size_t v = 0; v < body.v.size(); ++v) {
-            const double speed = to_vec(body.v[v]).norm();
-            if (!std::isfinite(speed)) return 1e3;
-            if (body.free_vertex[v] == 0) most = std::max(most, speed);
-        }
-        return most;
-    }
-    [[nodiscard]] const sim::SutureState& needle() const { return state_->suturing.needle[0]; }
-    [[nodiscard]] const sim::Suturing& suturing() const { return state_->suturing; }
-    [[nodiscard]] Pose hand_pose() const { return inputs_[driver_].pose(); }
-    [[nodiscard]] bool finite() const { return finite_; }
-    [[nodiscard]] double farthest_ever() const { return farthest_m_; }
-    [[nodiscard]] int cuts() const { return cuts_; }
-    [[nodiscard]] int torn() const { return torn_; }
-    [[nodiscard]] int dropped() const { return dropped_; }
-
- private:
-    static curriculum::Task task_with(const char* changes) {
-        curriculum::Task task =
-            curriculum::with_scene_changes(curriculum::load_task(kTask), changes);
-        task.scene.seed = experts_bite().seed;
-        return task;
-    }
-
-    curriculum::Task task_;
-    std::shared_ptr<const sim::Scene> scene_;
-    std::unique_ptr<sim::State> state_;
-    std::vector<sim::ToolInput> inputs_;
-    std::vector<sim::ToolFeedback> feedback_;
-    std::vector<sim::Float4> at_rest_;
-    size_t driver_ = 0;
-    bool finite_ = true;
-    double farthest_m_ = 0;
-    int cuts_ = 0, torn_ = 0, dropped_ = 0;
-};
-
 std::string millimetres(double metres) { return sim::rounded_text(1000 * metres, 3) + " mm"; }
 
-void judge(sim::StabilityResult& result, const Stage& stage, bool good, const std::string& detail) {
+void judge(sim::StabilityResult& result, const SutureStage& stage, bool good,
+           const std::string& detail) {
     result.detail = detail + "; tissue at most " + millimetres(stage.farthest_ever()) + " away";
     const bool sound = stage.finite() && stage.farthest_ever() < kBoundsM;
     result.verdict = sound && good ? StabilityVerdict::kHolds : StabilityVerdict::kFails;
@@ -183,7 +39,7 @@ void judge(sim::StabilityResult& result, const Stage& stage, bool good, const st
 
 /// The jaws open in the middle of a bite, and the driver leaves.
 void let_go(sim::StabilityResult& result, double seconds) {
-    Stage stage;
+    SutureStage stage;
     stage.bite_until(experts_bite().time_of(EventKind::kNeedleEntered) + kIntoBiteS);
     Pose pose = stage.hand_pose();
     stage.hand(pose, kOpenRad);
@@ -204,7 +60,7 @@ void let_go(sim::StabilityResult& result, double seconds) {
 
 /// The hand jumps away in one frame with the needle half through.
 void torn_away(sim::StabilityResult& result, double seconds) {
-    Stage stage;
+    SutureStage stage;
     stage.bite_until(experts_bite().time_of(EventKind::kNeedleEntered) + kIntoBiteS);
     const Pose pose = stage.hand_pose();
     stage.hand({pose.p + Vec3(0.004, 0.010, 0.020), pose.q}, 0);
@@ -221,7 +77,7 @@ void torn_away(sim::StabilityResult& result, double seconds) {
 
 /// A thread with a stopper at its tail, through the bite, pulled on until the tissue gives.
 void pulled_through(sim::StabilityResult& result, double seconds) {
-    Stage stage(R"({"suture": {"thread": {"length_m": 0.03, "stopper": true}}})");
+    SutureStage stage(R"({"suture": {"thread": {"length_m": 0.03, "stopper": true}}})");
     stage.bite_until(experts_bite().time_of(EventKind::kNeedleThrough));
     const Pose pose = stage.hand_pose();
     double thread_n = 0;
@@ -245,7 +101,7 @@ void pulled_through(sim::StabilityResult& result, double seconds) {
 }
 
 /// Any pose near the pad at up to 0.5 m/s, jaws open and closed, the hand on and off; from a bite.
-void throw_about(Stage& stage, sim::SplitMix64& random, int64_t frames) {
+void throw_about(SutureStage& stage, sim::SplitMix64& random, int64_t frames) {
     Pose now = stage.hand_pose();
     for (int64_t done = 0; done < frames;) {
         const Vec3 goal(random.uniform(-0.012, 0.012), random.uniform(-0.012, 0.012),
@@ -273,7 +129,7 @@ void without_sense(sim::StabilityResult& result, const sim::StabilityOptions& op
     int bites = 0, dropped = 0, cuts = 0, torn = 0;
     bool finite = true;
     while (done < options.poke_frames) {
-        Stage stage(R"({"suture": {"thread": {"length_m": 0.05, "stopper": true}}})");
+        SutureStage stage(R"({"suture": {"thread": {"length_m": 0.05, "stopper": true}}})");
         stage.bite_until(experts_bite().time_of(EventKind::kNeedleEntered) +
                          kIntoBiteS * random.uniform(0, 8));
         const int64_t frames = std::min(kFramesOfABite, options.poke_frames - done);
