@@ -14,9 +14,9 @@
 #include "db/attempt_counting.h"
 #include "reports/attempt_figures.h"
 #include "reports/words.h"
+#include "ui/shell/compare_cards.h"
 #include "ui/shell/kept_recording.h"
 #include "ui/shell/ledger_view.h"
-#include "ui/shell/metric_words.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/replay_launcher.h"
@@ -146,87 +146,13 @@ class ComparePage : public Page {
         row->setContentsMargins(0, 0, 0, 0);
         holder->setLayout(row);
         body_->addWidget(holder);
-        body_->addWidget(metricsCard());
+        body_->addWidget(make_compare_metrics(context_, halves_[0].detail, halves_[1].detail));
         readRecordings();
     }
 
-    QWidget* headCard(size_t i) {
-        const Half& half = halves_[i];
-        auto* layout = new QVBoxLayout;
-        layout->setSpacing(kSpace8);
-        auto* line = new QHBoxLayout;
-        const bool scored = db::counts(half.detail.record);
-        QLabel* points = make_label(
-            scored ? points_words(half.detail.record.points) : QStringLiteral("–"), "title");
-        points->setObjectName(QString("compare_points_%1").arg(i));
-        line->addWidget(points);
-        line->addWidget(
-            make_badge(verdict_word(half.detail.record), verdict_tone(half.detail.record)));
-        line->addStretch();
-        layout->addLayout(line);
-        layout->addWidget(make_label(nameOf(half.detail.record), "muted"));
-        if (scored)
-            addReasons(layout, half.detail.score.reasons);
-        else
-            layout->addWidget(make_label(
-                tr("Does not count: %1").arg(reports::not_counted_words(half.detail.record)),
-                "muted"));
-        layout->addStretch();
-        QFrame* card = make_card(layout);
-        card->setObjectName(QString("compare_head_%1").arg(i));
-        return card;
-    }
-
-    static void addReasons(QVBoxLayout* layout, const std::vector<assessment::Reason>& reasons) {
-        for (size_t i = 0; i < std::min<size_t>(3, reasons.size()); ++i)
-            layout->addWidget(make_label("−" + format_points(reasons[i].points) + "  " +
-                                         reports::reason_words(reasons[i])));
-        if (reasons.empty()) layout->addWidget(make_label(tr("No points were lost"), "good"));
-    }
-
-    QWidget* metricsCard() {
-        auto* layout = new QVBoxLayout;
-        layout->addWidget(make_label(tr("Measures"), "heading"));
-        // What was left after a few seconds was short and gentle, and not better for that.
-        const bool judged =
-            db::counts(halves_[0].detail.record) && db::counts(halves_[1].detail.record);
-        if (!judged)
-            layout->addWidget(make_label(tr("One of the two does not count: its measures stand "
-                                            "here without a verdict on which is better."),
-                                         "muted"));
-        QTableWidget* table =
-            make_table({tr("Measure"), tr("Unit"), tr("This one"), tr("The other"), tr("Better")},
-                       tr("Measures"));
-        table->setObjectName("compare_metrics");
-        table->setSortingEnabled(false);
-        const reports::TaskScope scope = task_scope(context_, halves_[0].detail.record.task_id);
-        for (const assessment::MetricDefinition& each : assessment::metric_definitions()) {
-            if (!reports::belongs(scope, each.id)) continue;
-            const auto a = halves_[0].detail.metrics.find(each.id);
-            const auto b = halves_[1].detail.metrics.find(each.id);
-            if (!a || !b) continue;
-            const int row = table->rowCount();
-            table->insertRow(row);
-            table->setItem(row, 0, make_cell(metric_name(each.name)));
-            table->item(row, 0)->setData(Qt::UserRole, qstr(std::string(each.id)));
-            table->item(row, 0)->setToolTip(metric_explanation(each, scope));
-            table->setItem(row, 1, make_cell(unit_sign(each.unit)));
-            table->setItem(row, 2, make_number_cell(metric_value(each, *a), *a));
-            table->setItem(row, 3, make_number_cell(metric_value(each, *b), *b));
-            const bool neutral = !judged || each.direction == assessment::Direction::kNeutral ||
-                                 format_value(*a) == format_value(*b);
-            const bool first =
-                (each.direction == assessment::Direction::kLowerIsBetter) == (*a < *b);
-            table->setItem(row, 4,
-                           make_cell(neutral ? QStringLiteral("–")
-                                     : first ? tr("◀ this one")
-                                             : tr("the other ▶")));
-        }
-        fit_columns(table, 0);
-        for (const int c : {2, 3, 4}) table->setColumnWidth(c, 140);
-        table->setFixedHeight(std::clamp(table->rowCount(), 1, 8) * kTouchTarget + 50);
-        layout->addWidget(table);
-        return make_card(layout);
+    QWidget* headCard(size_t i) const {
+        const db::AttemptDetail& attempt = halves_[i].detail;
+        return make_compare_head(attempt, nameOf(attempt.record), i);
     }
 
     // --- the recordings
