@@ -199,12 +199,16 @@ function(placode_ui_programs)
   target_link_libraries(placode_attempt PUBLIC placode_view placode_db placode_version CLI11::CLI11 PRIVATE PkgConfig::OPENAL)
   placode_precompile(placode_attempt <CLI/CLI.hpp> <nlohmann/json.hpp> <Eigen/Dense>)
   placode_program(placode-sim SOURCES ui/attempt/main.cpp LINK placode_attempt placode_version)
-  placode_program(placodectl SOURCES ui/cli/*.cpp LINK placode_view placode_batches placode_version CLI11::CLI11)
+  # Learning platforms, for the portal and the command line.
+  placode_library(lti FOLDERS ui/lti LINK placode_db nlohmann_json::nlohmann_json PkgConfig::HTTPLIB OpenSSL::Crypto
+    PRECOMPILE <QString> <nlohmann/json.hpp>)
+  placode_program(placodectl SOURCES ui/cli/*.cpp LINK placode_lti placode_view placode_batches placode_version
+    CLI11::CLI11)
   # The portal without main is a library as well: tests ask it over a socket of their own.
   file(GLOB web_sources CONFIGURE_DEPENDS ui/web/*.cpp ui/web/*.h)
   list(FILTER web_sources EXCLUDE REGEX "ui/web/main\\.cpp$")
   add_library(placode_web STATIC ${web_sources})
-  target_link_libraries(placode_web PUBLIC placode_reports PkgConfig::HTTPLIB)
+  target_link_libraries(placode_web PUBLIC placode_reports placode_lti PkgConfig::HTTPLIB)
   placode_precompile(placode_web <QPainter> <QString>)
   # The reports' words in Polish are the shell's; under a name of its own, because one file has one rule.
   set(polish_ts ${PROJECT_SOURCE_DIR}/ui/shell/translations/placode_pl.ts)
@@ -215,7 +219,7 @@ function(placode_ui_programs)
   qt_add_resources(placode_web placode_web_review PREFIX /web BASE ${PROJECT_SOURCE_DIR}/ui/web FILES ${review_scripts})
   qt_add_resources(placode_web placode_web_polish PREFIX /i18n BASE ${CMAKE_CURRENT_BINARY_DIR}/web FILES ${polish})
   placode_program(placode-web SOURCES ui/web/main.cpp LINK placode_web placode_version CLI11::CLI11)
-  placode_optimise_little(placode_shell placodectl placode_web)
+  placode_optimise_little(placode_shell placodectl placode_lti placode_web)
   placode_several_at_once(placode_shell placode_attempt placode_view placodectl)
   placode_precompile(placodectl <CLI/CLI.hpp> <nlohmann/json.hpp> <iostream>)
 endfunction()

@@ -46,10 +46,11 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION education)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What no library names: SQLite and PostgreSQL drivers, OpenGL and its software renderer, plug-ins, fonts.
+# What no library names: SQLite and PostgreSQL drivers, OpenGL and its software renderer, plug-ins, fonts; certificates
+# by which learning platforms are trusted.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
   "libqt6sql6-sqlite, libqt6svg6, qt6-qpa-plugins, libgl1-mesa-dri, libxcb-cursor0, qt6-translations-l10n, fonts-dejavu-core")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libqt6sql6-psql, fonts-noto-core, spacenavd, python3-numpy")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libqt6sql6-psql, fonts-noto-core, spacenavd, python3-numpy, ca-certificates")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/postinst)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_ARCHIVE_FILE_NAME placode-${PROJECT_VERSION}-${CMAKE_SYSTEM_PROCESSOR})
