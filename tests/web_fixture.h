@@ -6,7 +6,9 @@
 #include <httplib.h>
 #undef _res  // A macro of resolv.h, which httplib includes, and a parameter in Eigen.
 
+#include <QCryptographicHash>
 #include <QGuiApplication>
+#include <QSqlRecord>
 #include <atomic>
 #include <map>
 #include <thread>
@@ -134,8 +136,11 @@ class WebTest : public EngineTest {
         portal_options.behind_tls = behind_tls;
         portal_options.now_s = [this] { return now_s.load(); };
         portal_options.log = [](const std::string& line) { std::cerr << line << '\n'; };
+        arrange(portal_options);
         return std::make_unique<PortalAtWork>(std::move(portal_options), limits);
     }
+    /// What a test wants otherwise.
+    virtual void arrange(web::PortalOptions&) {}
     void TearDown() override {
         portal.reset();
         EngineTest::TearDown();
@@ -145,6 +150,27 @@ class WebTest : public EngineTest {
         Browser one = browser();
         EXPECT_EQ(one.sign_in(login).status, 303) << login;
         return one;
+    }
+
+    /// Of every table that is there, whatever is in it.
+    [[nodiscard]] std::string checksum_of_the_store() const {
+        RawConnection connection = raw();
+        QSqlQuery tables(connection.handle());
+        tables.exec(is_sqlite() ? "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY 1"
+                                : "SELECT table_name FROM information_schema.tables WHERE "
+                                  "table_schema = current_schema() ORDER BY 1");
+        std::vector<QString> names;
+        while (tables.next()) names.push_back(tables.value(0).toString());
+        EXPECT_GT(names.size(), 10U);
+        QCryptographicHash hash(QCryptographicHash::Sha256);
+        for (const QString& name : names) {
+            QSqlQuery rows(connection.handle());
+            EXPECT_TRUE(rows.exec("SELECT * FROM " + name + " ORDER BY 1")) << name.toStdString();
+            while (rows.next())
+                for (int i = 0; i < rows.record().count(); ++i)
+                    hash.addData(name.toUtf8() + '\n' + rows.value(i).toByteArray() + '\n');
+        }
+        return hash.result().toHex().toStdString();
     }
 
     RightsWorld people;

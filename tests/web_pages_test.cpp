@@ -3,8 +3,6 @@
 // Who sees which page of the portal, that no page writes, and that nothing somebody typed becomes
 // markup.
 
-#include <QCryptographicHash>
-#include <QSqlRecord>
 #include <cmath>
 #include <ctime>
 #include <regex>
@@ -46,27 +44,6 @@ class WebPagesTest : public WebTest {
             all.push_back("/attempts/" + std::to_string(mine.attempt));
         }
         return all;
-    }
-
-    /// Of every table that is there, whatever is in it.
-    [[nodiscard]] std::string checksum_of_the_store() const {
-        RawConnection connection = raw();
-        QSqlQuery tables(connection.handle());
-        tables.exec(is_sqlite() ? "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY 1"
-                                : "SELECT table_name FROM information_schema.tables WHERE "
-                                  "table_schema = current_schema() ORDER BY 1");
-        std::vector<QString> names;
-        while (tables.next()) names.push_back(tables.value(0).toString());
-        EXPECT_GT(names.size(), 10U);
-        QCryptographicHash hash(QCryptographicHash::Sha256);
-        for (const QString& name : names) {
-            QSqlQuery rows(connection.handle());
-            EXPECT_TRUE(rows.exec("SELECT * FROM " + name + " ORDER BY 1")) << name.toStdString();
-            while (rows.next())
-                for (int i = 0; i < rows.record().count(); ++i)
-                    hash.addData(name.toUtf8() + '\n' + rows.value(i).toByteArray() + '\n');
-        }
-        return hash.result().toHex().toStdString();
     }
 };
 

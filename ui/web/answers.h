@@ -28,6 +28,9 @@ struct Answer {
     std::vector<std::pair<std::string, std::string>> headers;
 };
 
+/// Where learning platforms send people.
+inline constexpr const char *kLtiLogin = "/lti/login", *kLtiLaunch = "/lti/launch";
+
 /// The content security policy of a page that may run the script of this host and fetch from it.
 [[nodiscard]] const std::string& policy_with_script();
 /// On every answer, whatever it is; an answer may bring its own of a name.

@@ -19,6 +19,8 @@
 #include "curriculum/utc_time.h"
 #include "db/reading_store.h"
 #include "db/store_url.h"
+#include "ui/lti/settings.h"
+#include "ui/lti/web_token.h"
 #include "ui/usage_message.h"
 #include "ui/version.h"
 #include "ui/web/web_server.h"
@@ -28,7 +30,7 @@ namespace {
 using namespace placode;
 
 struct Options {
-    std::string store, listen = "127.0.0.1:8377";
+    std::string store, listen = "127.0.0.1:8377", lti;
     bool behind_tls = false;
     int review_mib = static_cast<int>(web::kReviewBytes >> 20);
 };
@@ -73,6 +75,23 @@ std::string checked_store(const Options& options) {
     return url;
 }
 
+/// What is wrong with the settings shows at the start, not when the first person comes.
+std::string checked_lti(const Options& options) {
+    if (options.lti.empty()) return {};
+    const lti::Settings settings = lti::read_settings(options.lti);
+    try {
+        (void)lti::SigningKey(lti::read_secret(settings.private_key_file));
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(settings.private_key_file + ": " + error.what());
+    }
+    const bool tls = settings.tool_url.starts_with("https://");
+    if (tls != options.behind_tls)
+        throw std::invalid_argument(
+            options.lti + ": tool_url is " + settings.tool_url +
+            (tls ? "; expected --behind-tls with it" : "; expected https with --behind-tls"));
+    return options.lti;
+}
+
 /// SIGTERM and SIGINT are waited for, so that what has begun is answered.
 sigset_t endings() {
     sigset_t set;
@@ -91,9 +110,12 @@ int serve(const Options& options) {
         return fail(2, std::string("--listen: ") + error.what());
     }
     try {
+        portal.lti_file = checked_lti(options);
         portal.store_url = checked_store(options);
     } catch (const std::invalid_argument& error) {
         return fail(2, error.what());
+    } catch (const lti::SettingsError& error) {
+        return fail(2, std::string("--lti: ") + error.what());
     } catch (const std::exception& error) {
         return fail(1, error.what());
     }
@@ -152,6 +174,9 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_flag("--behind-tls", options.behind_tls,
                  "Browsers reach it by https: the sign-in's cookie is for https only");
+    app.add_option("--lti", options.lti,
+                   "FILE.json: learning platforms whose people may come in by LTI 1.3, as "
+                   "`placodectl lti check` reads it");
     app.add_option("--review-memory", options.review_mib,
                    "Memory for attempts that are looked at in 3D [MiB]")
         ->check(CLI::Range(16, 65536))

@@ -448,6 +448,52 @@ constexpr Polish kPolish[] = {
     {"The attempt was kept without its recording.", "Próbę zapisano bez nagrania."},
     {"The recording cannot be simulated by this version of the program.",
      "Ta wersja programu nie może zasymulować tego nagrania."},
+    {"Not signed in", "Nie zalogowano"},
+    {"Signed in", "Zalogowano"},
+    {"You are signed in as %1.", "Zalogowano jako %1."},
+    {"Go on", "Dalej"},
+    {"Not known here yet", "Konto jeszcze nieznane"},
+    {"The platform's answer is incomplete or cannot be read.",
+     "Odpowiedź platformy jest niepełna albo nie da się jej odczytać."},
+    {"The platform's answer is not signed with RS256.",
+     "Odpowiedź platformy nie jest podpisana algorytmem RS256."},
+    {"The platform's answer is signed with a key that the platform does not publish, or its keys "
+     "cannot be read now. Try again in a minute.",
+     "Odpowiedź platformy podpisano kluczem, którego platforma nie ogłasza, albo jej kluczy nie "
+     "można teraz odczytać. Spróbuj ponownie za minutę."},
+    {"The signature of the platform's answer is wrong.",
+     "Podpis odpowiedzi platformy jest nieprawidłowy."},
+    {"The answer comes from another platform than the one that was asked.",
+     "Odpowiedź pochodzi z innej platformy niż zapytana."},
+    {"The platform's answer is for another tool.",
+     "Odpowiedź platformy jest przeznaczona dla innego narzędzia."},
+    {"The platform's answer is too old, or the clocks of platform and portal differ. Start again "
+     "from your course.",
+     "Odpowiedź platformy jest za stara albo zegary platformy i portalu się różnią. Zacznij "
+     "ponownie ze swojego kursu."},
+    {"The platform's answer belongs to another sign-in. Start again from your course.",
+     "Odpowiedź platformy należy do innego logowania. Zacznij ponownie ze swojego kursu."},
+    {"This deployment of the platform is not registered here.",
+     "To wdrożenie platformy nie jest tu zarejestrowane."},
+    {"From a platform, links to this portal can be opened by LTI 1.3, and nothing else.",
+     "Z platformy można otwierać odnośniki do tego portalu przez LTI 1.3 i nic poza tym."},
+    {"The platform did not say who you are.", "Platforma nie podała, kim jesteś."},
+    {"Nobody has said yet which account of Placode is yours. Give an administrator of Placode this "
+     "address and this number of yours:",
+     "Nikt jeszcze nie wskazał, które konto Placode jest Twoje. Podaj administratorowi Placode ten "
+     "adres i ten swój numer:"},
+    {"This platform is not registered here.", "Ta platforma nie jest tu zarejestrowana."},
+    {"This sign-in is too old or was used already. Start again from your course.",
+     "To logowanie jest za stare albo zostało już użyte. Zacznij ponownie ze swojego kursu."},
+    {"This sign-in began in another browser, or cookies are off. Start again from your course.",
+     "To logowanie zaczęto w innej przeglądarce albo ciasteczka są wyłączone. Zacznij ponownie ze "
+     "swojego kursu."},
+    {"The platform did not sign you in: %1", "Platforma nie potwierdziła logowania: %1"},
+    {"The account that you are linked with is closed or was changed. Ask an administrator of "
+     "Placode.",
+     "Konto, z którym Cię powiązano, jest zamknięte albo zostało zmienione. Zapytaj administratora "
+     "Placode."},
+    {"Administrators sign in with their password.", "Administratorzy logują się swoim hasłem."},
 };
 
 }  // namespace

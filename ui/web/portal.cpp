@@ -10,11 +10,14 @@
 #include "curriculum/utc_time.h"
 #include "db/reading_store.h"
 #include "ui/web/frame.h"
+#include "ui/web/lti_visitors.h"
 
 namespace placode::web {
 namespace {
 
 constexpr size_t kLongestPath = 512, kLongestValue = 200, kMostValues = 8;
+// A platform sends along what it wants to have back.
+constexpr size_t kLongestHint = 4000, kMostHints = 16;
 
 int64_t steady_s() {
     return std::chrono::duration_cast<std::chrono::seconds>(
@@ -49,13 +52,14 @@ std::optional<std::vector<std::string>> match(const Route& route, const std::str
 }
 
 bool is_too_long(const Request& request) {
-    const auto too_long = [](const auto& values) {
-        return values.size() > kMostValues ||
-               std::any_of(values.begin(), values.end(), [](const auto& each) {
-                   return each.first.size() + each.second.size() > kLongestValue;
-               });
+    const bool hints = request.path == kLtiLogin;
+    const size_t longest = hints ? kLongestHint : kLongestValue;
+    const auto too_long = [longest](const auto& each) {
+        return each.first.size() + each.second.size() > longest;
     };
-    return request.path.size() > kLongestPath || too_long(request.query);
+    return request.path.size() > kLongestPath ||
+           request.query.size() > (hints ? kMostHints : kMostValues) ||
+           std::any_of(request.query.begin(), request.query.end(), too_long);
 }
 
 }  // namespace
@@ -67,6 +71,9 @@ Portal::Portal(PortalOptions options)
           if (options_.log) options_.log(line);
       }) {
     if (!options_.log) options_.log = [](const std::string&) {};
+    if (!options_.now_s) options_.now_s = steady_s;
+    if (!options_.lti_file.empty())
+        visitors_ = std::make_unique<LtiVisitors>(options_.now_s, options_.log);
     QCoreApplication::installTranslator(&polish_);
 }
 
@@ -102,6 +109,7 @@ Answer Portal::refuse(const Request& request, int status) {
 
 Answer Portal::answer_or_throw(const Request& request) {
     if (is_too_long(request)) return refusal(414);
+    if (visitors_ != nullptr && request.path.starts_with("/lti/")) return lti(request);
     if (request.method == "POST") {
         if (request.path == "/sign-in") return sign_in(request);
         if (request.path == "/sign-out") return sign_out(request);

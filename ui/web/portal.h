@@ -16,7 +16,14 @@
 #include "ui/web/sessions.h"
 #include "ui/web/words.h"
 
+namespace placode::lti {
+struct Launch;
+struct Platform;
+}  // namespace placode::lti
+
 namespace placode::web {
+
+struct LtiVisitors;
 
 struct PortalOptions {
     std::string store_url;
@@ -25,6 +32,7 @@ struct PortalOptions {
     std::function<int64_t()> now_s;  ///< Of sessions [s]; empty: the computer's steady clock.
     std::function<void(const std::string&)> log;  ///< What went wrong here, for who runs it.
     size_t review_bytes = kReviewBytes;           ///< Memory for tracks of attempts.
+    std::string lti_file;  ///< Settings for learning platforms (ui/lti/settings.h); empty: none.
 };
 
 /// Any thread: every page opens a store of its own.
@@ -39,6 +47,8 @@ class Portal {
     [[nodiscard]] Answer answer(const Request& request) noexcept;
     /// What is wrong with a request that asks for no page, in the language of who asks.
     [[nodiscard]] Answer refuse(const Request& request, int status);
+    /// Whether something can be sent there: a sign-in or a sign-out, and nothing else.
+    [[nodiscard]] bool takes_forms(const std::string& path) const;
 
  private:
     /// The session of the request with its token; account 0 = none.
@@ -65,12 +75,24 @@ class Portal {
     [[nodiscard]] std::string cookie(const std::string& name, const std::string& value) const;
     [[nodiscard]] std::string session_name() const;
     [[nodiscard]] std::string form_name() const;
+    // portal_lti.cpp: in from a learning platform. The store is read and not written.
+    [[nodiscard]] Answer lti(const Request& request);
+    [[nodiscard]] Answer lti_keys();
+    /// Sends a browser that a platform sent here back to it, to be told who that is.
+    [[nodiscard]] Answer lti_login(const std::map<std::string, std::string>& said);
+    /// The platform's answer to that.
+    [[nodiscard]] Answer lti_launch(const Request& request);
+    [[nodiscard]] Answer lti_enter(const lti::Platform& platform, const lti::Launch& launch);
+    [[nodiscard]] Answer lti_begin_session(const lti::Platform& platform, const lti::Launch& launch,
+                                           db::Store& store, const db::UserRecord& user);
+    [[nodiscard]] std::string lti_cookie(const std::string& value) const;
 
     PortalOptions options_;
     Sessions sessions_;
     Tasks tasks_;
     ReportsInPolish polish_;
     ReviewMaker reviews_;
+    std::unique_ptr<LtiVisitors> visitors_;  ///< Null: no platform.
     std::timed_mutex door_;  ///< One sign-in at a time: each fills 64 MB with its password.
 };
 

@@ -10,18 +10,17 @@
 namespace placode::web {
 namespace {
 
-// Looked up by hash, so that the time of the search says nothing about a token.
-std::string key_of(const std::string& token) {
-    return QCryptographicHash::hash(QByteArray::fromStdString(token), QCryptographicHash::Sha256)
-        .toHex()
-        .toStdString();
-}
-
 bool is_over(const Session& session, int64_t now) {
     return now - session.seen_s >= Sessions::kIdleS || now - session.begun_s >= Sessions::kLongestS;
 }
 
 }  // namespace
+
+std::string hash_of_token(const std::string& token) {
+    return QCryptographicHash::hash(QByteArray::fromStdString(token), QCryptographicHash::Sha256)
+        .toHex()
+        .toStdString();
+}
 
 std::string new_token() {
     // 31 letters: 4.95 bits each.
@@ -44,14 +43,14 @@ std::string Sessions::begin(int64_t account) {
     const std::lock_guard lock(mutex_);
     forget_old(now);
     make_room(account);
-    sessions_[key_of(token)] = {account, new_token(), now, now};
+    sessions_[hash_of_token(token)] = {account, new_token(), now, now};
     return token;
 }
 
 std::optional<Session> Sessions::find(const std::string& token) {
     const int64_t now = now_s_();
     const std::lock_guard lock(mutex_);
-    const auto found = sessions_.find(key_of(token));
+    const auto found = sessions_.find(hash_of_token(token));
     if (found == sessions_.end()) return std::nullopt;
     if (is_over(found->second, now)) {
         sessions_.erase(found);
@@ -63,7 +62,7 @@ std::optional<Session> Sessions::find(const std::string& token) {
 
 void Sessions::end(const std::string& token) {
     const std::lock_guard lock(mutex_);
-    sessions_.erase(key_of(token));
+    sessions_.erase(hash_of_token(token));
 }
 
 size_t Sessions::count() {

@@ -45,6 +45,8 @@ class Sessions {
     std::map<std::string, Session> sessions_;  ///< By hash of the token.
 };
 
+/// Tokens are looked up by it, so that the time of the search says nothing about one.
+[[nodiscard]] std::string hash_of_token(const std::string& token);
 /// 256 random bits as letters and digits.
 [[nodiscard]] std::string new_token();
 /// In a time that does not depend on where they differ; false for an empty one.

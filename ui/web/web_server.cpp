@@ -107,9 +107,7 @@ struct WebServer::Inside {
     /// True: the answer is made, without a look at the body.
     [[nodiscard]] bool answer_at_once(const httplib::Request& request,
                                       httplib::Response& response) {
-        const bool sends =
-            request.method == "POST" && (request.path == "/sign-in" || request.path == "/sign-out");
-        if (!sends) {
+        if (request.method != "POST" || !portal.takes_forms(request.path)) {
             give(portal.answer(request_of(request)), response);
             return true;
         }
@@ -144,8 +142,8 @@ WebServer::WebServer(PortalOptions options, const ServerLimits& limits)
     const auto send = [this](const httplib::Request& request, httplib::Response& response) {
         give(inside_->portal.answer(request_of(request)), response);
     };
-    server.Post("/sign-in", send);
-    server.Post("/sign-out", send);
+    for (const char* path : {"/sign-in", "/sign-out", kLtiLogin, kLtiLaunch})
+        server.Post(path, send);
     // What httplib itself turned away.
     server.set_error_handler([this](const httplib::Request& request, httplib::Response& response) {
         if (!response.has_header("Content-Type"))
