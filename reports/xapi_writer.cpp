@@ -13,6 +13,7 @@
 
 #include "reports/formats.h"
 #include "reports/report.h"
+#include "reports/xapi.h"
 
 namespace placode::reports {
 namespace {
@@ -200,10 +201,7 @@ Cells read_cells(const Dataset& data, const std::string& path) {
     return cells;
 }
 
-}  // namespace
-
-void write_xapi(const ExportSource& source, const std::string& folder) {
-    const Dataset& data = source.data;
+QJsonArray statements_of(const Dataset& data) {
     QJsonArray statements;
     for (const Form& form : data.forms) {
         if (!has_statements(form)) continue;
@@ -217,7 +215,23 @@ void write_xapi(const ExportSource& source, const std::string& folder) {
                     statements.append(answered(data, form, row, field, found->second));
         }
     }
-    save_file(path_of(folder, data), QJsonDocument(statements).toJson().toStdString());
+    return statements;
+}
+
+}  // namespace
+
+std::vector<XapiStatement> xapi_statements(const Dataset& data) {
+    std::vector<XapiStatement> all;
+    for (const QJsonValue& each : statements_of(data))
+        all.push_back(
+            {each["id"].toString().toStdString(), each["timestamp"].toString().toStdString(),
+             QJsonDocument(each.toObject()).toJson(QJsonDocument::Compact).toStdString()});
+    return all;
+}
+
+void write_xapi(const ExportSource& source, const std::string& folder) {
+    save_file(path_of(folder, source.data),
+              QJsonDocument(statements_of(source.data)).toJson().toStdString());
 }
 
 void verify_xapi(const ExportSource& source, const std::string& folder) {

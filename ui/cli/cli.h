@@ -59,6 +59,9 @@ void add_scaling_command(CLI::App& bench, Context& context);
 void add_cuts_command(CLI::App& bench, Context& context);
 void add_stability_command(CLI::App& bench, Context& context);
 void add_store_bench_command(CLI::App& bench, Context& context);
+void add_lti_commands(CLI::App& app, Context& context);
+void add_lti_grades_command(CLI::App& lti, Context& context);
+void add_xapi_command(CLI::App& app, Context& context);
 void add_demo_commands(CLI::App& app, Context& context);
 
 /// Processor, system, compiler, kernels and load, for benchmarks.

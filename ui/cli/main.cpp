@@ -12,6 +12,7 @@
 #include "ui/cli/dataset.h"
 #include "ui/cli/session.h"
 #include "ui/cli/solver_commands.h"
+#include "ui/lti/secret_file.h"
 #include "ui/usage_message.h"
 #include "ui/version.h"
 
@@ -41,6 +42,8 @@ int run(const cli::Context& context) {
         cli::refuse_open_password("--store", context.store_url);
         return context.run();
     } catch (const cli::InputError& error) {
+        return fail(context, 2, error.what());
+    } catch (const lti::SettingsError& error) {
         return fail(context, 2, error.what());
     } catch (const curriculum::DefinitionError& error) {
         return fail(context, 2, error.what());
@@ -100,6 +103,8 @@ int main(int argc, char** argv) {
     cli::add_batch_commands(app, context);
     cli::add_dataset_command(app, context);
     cli::add_bench_commands(app, context);
+    cli::add_lti_commands(app, context);
+    cli::add_xapi_command(app, context);
     cli::add_demo_commands(app, context);
     try {
         app.parse(argc, argv);

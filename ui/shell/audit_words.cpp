@@ -45,6 +45,9 @@ constexpr auto kWords = std::to_array<Words>({
     {"export.cohort", QT_TRANSLATE_NOOP("AuditWords", "exported a cohort")},
     {"group.create", QT_TRANSLATE_NOOP("AuditWords", "made a group")},
     {"group.member", QT_TRANSLATE_NOOP("AuditWords", "changed who is in a group")},
+    {"lti.grades", QT_TRANSLATE_NOOP("AuditWords", "sent scores to a learning platform")},
+    {"lti.link", QT_TRANSLATE_NOOP("AuditWords", "linked a person with a learning platform")},
+    {"lti.unlink", QT_TRANSLATE_NOOP("AuditWords", "took back a link with a learning platform")},
     {"norms.export", QT_TRANSLATE_NOOP("AuditWords", "exported a norm pack")},
     {"norms.keep", QT_TRANSLATE_NOOP("AuditWords", "took in a norm pack")},
     {"norms.key", QT_TRANSLATE_NOOP("AuditWords", "made the centre's signing key")},
@@ -109,6 +112,7 @@ constexpr auto kWords = std::to_array<Words>({
     {"user.pin", QT_TRANSLATE_NOOP("AuditWords", "set a PIN")},
     {"user.pin_removed", QT_TRANSLATE_NOOP("AuditWords", "removed the PIN")},
     {"user.roles", QT_TRANSLATE_NOOP("AuditWords", "changed the roles of a person")},
+    {"xapi.send", QT_TRANSLATE_NOOP("AuditWords", "sent statements to a learning record store")},
 });
 static_assert(std::ranges::is_sorted(kWords, {}, &Words::action));
 

@@ -435,6 +435,22 @@
 <context>
     <name>AuditWords</name>
     <message>
+        <source>sent scores to a learning platform</source>
+        <translation>wysłano wyniki do platformy edukacyjnej</translation>
+    </message>
+    <message>
+        <source>linked a person with a learning platform</source>
+        <translation>powiązano osobę z platformą edukacyjną</translation>
+    </message>
+    <message>
+        <source>took back a link with a learning platform</source>
+        <translation>cofnięto powiązanie z platformą edukacyjną</translation>
+    </message>
+    <message>
+        <source>sent statements to a learning record store</source>
+        <translation>wysłano zdania do repozytorium danych o uczeniu się</translation>
+    </message>
+    <message>
         <source>took recordings out for a batch</source>
         <translation>pobrano nagrania do przetwarzania wsadowego</translation>
     </message>
