@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "assessment/bites.h"
 #include "assessment/motion_metrics.h"
 #include "assessment/tissue_metrics.h"
 #include "sim/core/practice.h"
@@ -317,6 +318,22 @@ std::optional<Locus> locate_suture(std::string_view metric, const sim::Recording
     return std::nullopt;
 }
 
+/// The bite of a row that a metric speaks of, where it went in or came out.
+std::optional<Locus> locate_bite(std::string_view metric, const sim::Recording& recording) {
+    if (metric.substr(0, 5) != "bite_" && metric != "bites_done") return std::nullopt;
+    const std::vector<Bite> bites = bites_of(recording);
+    if (bites.empty()) return std::nullopt;
+    Locus locus;
+    locus.count = static_cast<int>(
+        std::count_if(bites.begin(), bites.end(), [](const Bite& bite) { return bite.done; }));
+    const Bite* shown = bite_shown(metric, bites);
+    if (shown == nullptr) return locus;
+    const bool in = metric == "bite_entry_worst_mm" || metric == "bite_angle_least_deg";
+    locus.at_m = (in ? shown->entry_m : shown->exit_m).head<2>();
+    locus.time_s = in ? shown->entered_s : shown->left_s;
+    return locus;
+}
+
 }  // namespace
 
 Locus locate(std::string_view metric, double threshold, const sim::Recording& recording) {
@@ -324,6 +341,7 @@ Locus locate(std::string_view metric, double threshold, const sim::Recording& re
         if (source.metric == metric) return locate_events(source, recording);
     if (const auto found = locate_tissue(metric, recording)) return *found;
     if (const auto found = locate_suture(metric, recording)) return *found;
+    if (const auto found = locate_bite(metric, recording)) return *found;
     if (metric == "ring_completeness_percent" || metric == "largest_gap_mm" ||
         metric == "gap_count")
         return locate_gap(recording);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "assessment/bites.h"
 #include "assessment/motion_detail.h"
 #include "assessment/motion_metrics.h"
 #include "assessment/practice.h"
@@ -26,6 +27,7 @@ MetricSet compute_metrics(const sim::Recording& recording) {
     add_tissue_metrics(recording, found);
     add_practice_metrics(recording, found);
     add_suture_metrics(recording, found);
+    add_bite_metrics(recording, found);
     // In the order of the definitions; what is not finite is not known.
     MetricSet set;
     for (const MetricDefinition& definition : metric_definitions()) {

@@ -14,8 +14,8 @@
 
 namespace placode::assessment {
 
-/// 9: bites of a needle.
-inline constexpr int kMetricSetVersion = 9;
+/// 10: several bites in a row.
+inline constexpr int kMetricSetVersion = 10;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

@@ -18,6 +18,7 @@ using sim::PracticeKind;
 constexpr double kNearSurfaceM = 0.001;  // a tip this near follows the line
 constexpr double kNotThisLineM = 0.003;  // further off it does not follow this line at all
 constexpr int kBinsEnough = 69;          // of 72: the last ones meet the first
+constexpr double kTakenWithin = 0.15;    // of the needle's arc
 constexpr double kTractionReachM = 0.005;
 constexpr double kAlongShaft =
     0.85;  // share of a motion that makes it one of depth: within 32 degrees
@@ -32,6 +33,7 @@ sim::Quat turn(const sim::ToolSample& tool) {
 
 sim::Vec2 practice_target(const sim::PracticeStep& step, const sim::FieldGeometry& geometry,
                           bool second) {
+    if (step.placed) return step.place_m[second ? 1 : 0];
     const auto& line = geometry.planned_contour;
     // +x is up and +y is left in the picture, so the clock runs from +x towards -y.
     const double angle = -2 * std::numbers::pi * (second ? step.hour_left : step.hour) / 12;
@@ -55,6 +57,15 @@ PracticeTracker::PracticeTracker(std::span<const sim::PracticeStep> steps,
     : steps_(steps.begin(), steps.end()), tools_(tools.begin(), tools.end()) {
     assert(steps.size() <= sim::kMaxPracticeSteps);
     if (geometry.planned_contour.size() >= 3) contour_.emplace_back(geometry.planned_contour);
+    for (const sim::PracticeStep& each : steps_)
+        bites_ += each.kind == PracticeKind::kNeedleIn ? 1 : 0;
+}
+
+int PracticeTracker::bite() const noexcept {
+    int begun = 0;
+    for (int i = 0; i <= std::min(index_, count() - 1); ++i)
+        begun += steps_[static_cast<size_t>(i)].kind == PracticeKind::kNeedleIn ? 1 : 0;
+    return std::max(0, begun - 1);
 }
 
 const sim::PracticeStep& PracticeTracker::step() const noexcept {
@@ -88,6 +99,15 @@ void PracticeTracker::advance(double time_s) noexcept {
     bins_done_ = 0;
 }
 
+/// What the bites of a row are measured by: the line between their marks, and their pitch.
+void PracticeTracker::tell_marks(const NeedleSight& needle) noexcept {
+    marked_ = index_;
+    for (size_t mark = 0; mark < needle.mark_m.size(); ++mark) {
+        emit(sim::EventKind::kBiteMark, index_, static_cast<double>(mark), -1, needle.mark_m[mark]);
+        if (event_count_ > 0) events_[event_count_ - 1].element = bite();
+    }
+}
+
 /// The instrument of this hand that is in the field; instruments that share a port take turns.
 int PracticeTracker::tool_of(sim::Hand hand, const PracticeSight& sight) const noexcept {
     int found = -1;
@@ -107,6 +127,9 @@ std::span<const sim::Event> PracticeTracker::see(const PracticeSight& sight) noe
         started_ = true;
         began_s_ = now_s_;
     }
+    // A single bite says all of itself with its distances from the marks.
+    if (bites_ > 1 && step().kind == PracticeKind::kNeedleIn && marked_ != index_ && !done())
+        tell_marks(sight.needle);
     if (!done() && did(sight)) advance(now_s_);
     return {events_.data(), event_count_};
 }
@@ -301,7 +324,9 @@ bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
     if (kind == PracticeKind::kNeedleOut) return out;
     // Pushed all the way through without being taken again: nothing is left to take.
     const bool through = now.through > through_before_;
-    return through || (kind == PracticeKind::kNeedleTake && taken);
+    const bool there =
+        step().take_share == 0 || std::abs(now.held_share - step().take_share) <= kTakenWithin;
+    return through || (kind == PracticeKind::kNeedleTake && taken && there);
 }
 
 void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& out) {

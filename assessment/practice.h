@@ -17,6 +17,7 @@ namespace placode::assessment {
 /// What was done with a suture needle so far.
 struct NeedleSight {
     int taken = 0, entered = 0, left = 0, through = 0;
+    double held_share = 0;  ///< Where the jaws took it last, along its arc from the point.
     sim::Vec3 entry_m = sim::Vec3::Zero(), exit_m = sim::Vec3::Zero();  ///< The last, at rest.
     std::array<sim::Vec3, 2> mark_m{sim::Vec3::Zero(),
                                     sim::Vec3::Zero()};  ///< Of the step, likewise.
@@ -32,7 +33,8 @@ struct PracticeSight {
     NeedleSight needle{};
 };
 
-/// The target of a step on a planned contour at rest [m], in the plane; `second` = the left hand's.
+/// The target of a step at rest [m], in the plane: where the step says, or on the clock of the
+/// planned contour; `second` = the left hand's, or where the needle comes out.
 [[nodiscard]] sim::Vec2 practice_target(const sim::PracticeStep& step,
                                         const sim::FieldGeometry& geometry, bool second);
 
@@ -56,6 +58,9 @@ class PracticeTracker {
     [[nodiscard]] bool done() const noexcept { return index_ >= count(); }
     [[nodiscard]] const sim::PracticeStep& step() const noexcept;
     [[nodiscard]] double progress() const noexcept { return progress_; }
+    /// Bites of a needle in all, and number of the present one, from 0.
+    [[nodiscard]] int bites() const noexcept { return bites_; }
+    [[nodiscard]] int bite() const noexcept;
     [[nodiscard]] const std::array<uint8_t, sim::kTraceBins>& traced() const noexcept {
         return traced_;
     }
@@ -64,6 +69,7 @@ class PracticeTracker {
     void emit(sim::EventKind kind, double value, double value2, int tool,
               const sim::Vec3& at) noexcept;
     void advance(double time_s) noexcept;
+    void tell_marks(const NeedleSight& needle) noexcept;
     [[nodiscard]] int tool_of(sim::Hand hand, const PracticeSight& sight) const noexcept;
     [[nodiscard]] bool did(const PracticeSight& sight) noexcept;
     [[nodiscard]] bool did_motion(const sim::ToolSample& tool) noexcept;
@@ -86,8 +92,9 @@ class PracticeTracker {
     std::array<uint8_t, sim::kTraceBins> traced_{};
     int bin_ = -1, bin_samples_ = 0, bins_done_ = 0;
     double bin_offset_ = 0;
-    NeedleSight needle_;      // of the last sample
-    int through_before_ = 0;  // times it had been drawn through when it came out of this bite
+    NeedleSight needle_;           // of the last sample
+    int through_before_ = 0;       // times it had been drawn through when it came out of this bite
+    int bites_ = 0, marked_ = -1;  // marked: the last step whose marks were told
     std::array<sim::Event, 8> events_{};
     size_t event_count_ = 0;
 };

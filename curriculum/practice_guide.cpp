@@ -2,26 +2,82 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/practice_guide.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 namespace placode::curriculum {
 
 namespace {
 
-/// The surface vertices that stand for a step's targets: targets move with the tissue.
-std::array<int32_t, 2> find_targets(const sim::Scene& scene, const sim::State& settled,
-                                    const sim::PracticeStep& step) {
-    std::array<int32_t, 2> out{-1, -1};
-    for (int t = 0; t < sim::targets_of(step.kind); ++t) {
-        const sim::Vec2 wanted = assessment::practice_target(step, scene.geometry, t == 1);
-        double nearest = 1;
-        for (size_t v = 0; v < scene.field.depth_m.size(); ++v) {
-            if (scene.field.depth_m[v] > 0) continue;
-            const double way = (to_vec(settled.body.x[v]).head<2>() - wanted).norm();
-            if (way >= nearest) continue;
-            nearest = way;
-            out[static_cast<size_t>(t)] = static_cast<int32_t>(v);
-        }
+using sim::Vec2;
+using sim::Vec3;
+
+/// A vertex by itself: its place to the last bit.
+sim::ContourAnchor at_vertex(int32_t v) { return {{v, v, v}, {1, 0, 0}}; }
+
+/// The surface's vertex that is nearest to a place.
+std::optional<sim::ContourAnchor> nearest_vertex(const sim::Scene& scene, const sim::State& settled,
+                                                 const Vec2& wanted) {
+    std::optional<sim::ContourAnchor> found;
+    double nearest = 1;
+    for (size_t v = 0; v < scene.field.depth_m.size(); ++v) {
+        if (scene.field.depth_m[v] > 0) continue;
+        const double way = (to_vec(settled.body.x[v]).head<2>() - wanted).norm();
+        if (way >= nearest) continue;
+        nearest = way;
+        found = at_vertex(static_cast<int32_t>(v));
     }
-    return out;
+    return found;
+}
+
+/// The place itself, in the triangle of the surface that it lies in; none beside the field.
+std::optional<sim::ContourAnchor> exact_place(const sim::Scene& scene, const sim::State& settled,
+                                              const Vec2& wanted) {
+    const auto on_top = [&](int32_t v) {
+        return !(scene.field.depth_m[static_cast<size_t>(v)] > 0);
+    };
+    for (const sim::SurfaceTriangle& tri : settled.surface.triangles()) {
+        if (!std::all_of(tri.vertex.begin(), tri.vertex.end(), on_top)) continue;
+        std::array<Vec2, 3> p;
+        for (size_t k = 0; k < 3; ++k)
+            p[k] = to_vec(settled.body.x[static_cast<size_t>(tri.vertex[k])]).head<2>();
+        const Vec2 u = p[1] - p[0], v = p[2] - p[0], w = wanted - p[0];
+        const double area = u.x() * v.y() - u.y() * v.x();
+        if (std::abs(area) < 1e-14) continue;  // seen from its edge [m^2]
+        const double b = (w.x() * v.y() - w.y() * v.x()) / area,
+                     c = (u.x() * w.y() - u.y() * w.x()) / area;
+        if (b < -1e-9 || c < -1e-9 || b + c > 1 + 1e-9) continue;
+        return sim::ContourAnchor{
+            tri.vertex,
+            {static_cast<float>(1 - b - c), static_cast<float>(b), static_cast<float>(c)}};
+    }
+    return std::nullopt;
+}
+
+/// Where the targets of a step are: they move with the tissue. A place on the clock of the contour
+/// is the nearest vertex, as recordings have it; one that the step names is meant exactly.
+int find_targets(const sim::Scene& scene, const sim::State& settled, const sim::PracticeStep& step,
+                 std::array<sim::ContourAnchor, 2>& out) {
+    int count = 0;
+    for (int t = 0; t < sim::targets_of(step.kind); ++t) {
+        const Vec2 wanted = assessment::practice_target(step, scene.geometry, t == 1);
+        std::optional<sim::ContourAnchor> found;
+        if (step.placed) found = exact_place(scene, settled, wanted);
+        if (!found) found = nearest_vertex(scene, settled, wanted);
+        if (found) out[static_cast<size_t>(count++)] = *found;
+    }
+    return count;
+}
+
+/// Weighted place of an anchor's vertices.
+template <class PlaceOf>
+Vec3 place_of(const sim::ContourAnchor& anchor, const PlaceOf& place_of_vertex) {
+    Vec3 sum = static_cast<double>(anchor.weight[0]) * place_of_vertex(anchor.vertex[0]);
+    for (size_t k = 1; k < 3; ++k)
+        if (anchor.weight[k] != 0)
+            sum += static_cast<double>(anchor.weight[k]) * place_of_vertex(anchor.vertex[k]);
+    return sum;
 }
 
 }  // namespace
@@ -29,19 +85,23 @@ std::array<int32_t, 2> find_targets(const sim::Scene& scene, const sim::State& s
 PracticeGuide::PracticeGuide(const std::vector<TaskStep>& steps, const sim::Scene& scene,
                              const sim::State& settled) {
     if (steps.empty()) return;
+    if (scene.suture) needle_arc_m_ = scene.suture->needle().arc_m();
     std::vector<sim::PracticeStep> goals;
     for (const TaskStep& step : steps) goals.push_back(step.goal);
     tracker_.emplace(goals, scene.tools, scene.geometry);
+    const auto at_rest = [&](int32_t v) -> Vec3 {
+        return scene.body.mesh().rest[static_cast<size_t>(v)];
+    };
     for (const sim::PracticeStep& step : goals) {
-        const auto vertices = find_targets(scene, settled, step);
-        target_vertex_.push_back(vertices);
+        auto& targets = targets_.emplace_back();
+        const int count = find_targets(scene, settled, step, targets);
+        target_count_.push_back(count);
         auto& marks = mark_m_.emplace_back();
-        for (size_t t = 0; t < marks.size(); ++t) {
-            marks[t].setZero();
-            if (vertices[t] >= 0)
-                marks[t] = scene.body.mesh().rest[static_cast<size_t>(vertices[t])];
-        }
+        marks.fill(Vec3::Zero());
+        for (size_t t = 0; t < static_cast<size_t>(count); ++t)
+            marks[t] = place_of(targets[t], at_rest);
     }
+    goal_.bites = tracker_->bites();
     goal_.count = tracker_->count();
     look(settled);
 }
@@ -51,12 +111,16 @@ void PracticeGuide::look(const sim::State& state) noexcept {
     goal_.step = tracker_->step();
     goal_.progress = tracker_->progress();
     goal_.traced = tracker_->traced();
+    goal_.bite = tracker_->bite();
     goal_.targets = 0;
     if (tracker_->done()) return;
-    for (const int32_t v : target_vertex_[static_cast<size_t>(goal_.index)]) {
-        if (v < 0) continue;
-        goal_.target_m[static_cast<size_t>(goal_.targets++)] =
-            to_vec(state.body.x[static_cast<size_t>(v)]);
+    const auto now = [&](int32_t v) -> Vec3 {
+        return to_vec(state.body.x[static_cast<size_t>(v)]);
+    };
+    const auto step = static_cast<size_t>(goal_.index);
+    for (; goal_.targets < target_count_[step]; ++goal_.targets) {
+        const auto t = static_cast<size_t>(goal_.targets);
+        goal_.target_m[t] = place_of(targets_[step][t], now);
     }
 }
 
@@ -65,6 +129,7 @@ void PracticeGuide::look_at_needle(const sim::State& state,
     const sim::Suturing& s = state.suturing;
     if (s.needle.empty() || tracker_->done()) return;
     needle.taken = s.taken;
+    needle.held_share = s.needle[0].hold.arc_m / needle_arc_m_;
     needle.entered = s.entered;
     needle.left = s.left;
     needle.through = s.through;

@@ -38,8 +38,10 @@ class PracticeGuide {
     void look_at_needle(const sim::State& state, assessment::NeedleSight& needle) const noexcept;
 
     std::optional<assessment::PracticeTracker> tracker_;
-    std::vector<std::array<int32_t, 2>> target_vertex_;  // of every step, -1 = none
-    std::vector<std::array<sim::Vec3, 2>> mark_m_;       // the same at rest
+    std::vector<std::array<sim::ContourAnchor, 2>> targets_;  // of every step
+    std::vector<int> target_count_;
+    std::vector<std::array<sim::Vec3, 2>> mark_m_;  // the same at rest
+    double needle_arc_m_ = 1;
     sim::PracticeGoal goal_;
 };
 

@@ -83,6 +83,24 @@ void fill_hold(std::string& text, double hold_s, char decimal_sign) {
     text.replace(mark, kHoldMark.size(), number);
 }
 
+/// "places_m": targets by where they are in the field, in the order of their marks.
+void read_places(const Json& json, const std::string& origin, const std::string& pointer,
+                 sim::PracticeStep& goal) {
+    if (!json.contains("places_m")) return;
+    const Json& places = json["places_m"];
+    const auto wanted = static_cast<size_t>(sim::targets_of(goal.kind));
+    if (places.size() != wanted)
+        throw DefinitionError(origin, pointer + "/places_m",
+                              "found " + std::to_string(places.size()) + " places; expected " +
+                                  std::to_string(wanted) + " for a step of this kind");
+    if (json.contains("hour") || json.contains("hour_left") || json.contains("outward_m"))
+        throw DefinitionError(origin, pointer + "/places_m",
+                              "is said beside hour or outward_m; expected one of both");
+    goal.placed = wanted > 0;
+    for (size_t i = 0; i < wanted; ++i)
+        goal.place_m[i] = sim::Vec2(places[i][0].get<double>(), places[i][1].get<double>());
+}
+
 TaskStep read_step(const Json& json, const std::string& origin, const std::string& pointer) {
     TaskStep step;
     sim::PracticeStep& goal = step.goal;
@@ -98,7 +116,9 @@ TaskStep read_step(const Json& json, const std::string& origin, const std::strin
     goal.hour = json.value("hour", goal.hour);
     goal.hour_left = json.value("hour_left", goal.hour_left);
     goal.outward_m = json.value("outward_m", goal.outward_m);
+    read_places(json, origin, pointer, goal);
     goal.tolerance_m = json.value("tolerance_m", goal.tolerance_m);
+    goal.take_share = json.value("take_share", goal.take_share);
     goal.low_n = json.value("low_n", goal.low_n);
     goal.high_n = json.value("high_n", goal.high_n);
     if (goal.low_n >= goal.high_n)

@@ -39,7 +39,9 @@ void needle_goal(const haptics::Perception& seen, size_t tool, ToolGoals& goals)
     const sim::PracticeKind kind = practice.step.kind;
     if (!seen.needle || kind == sim::PracticeKind::kNeedleThrough) return;
     if (kind == sim::PracticeKind::kNeedleTake) {
-        goals.place_m[tool] = wire_place(seen, kTakeBehindPointM);
+        const double share = practice.step.take_share;
+        goals.place_m[tool] =
+            wire_place(seen, share > 0 ? share * seen.needle_arc_m : kTakeBehindPointM);
         return;
     }
     const int mark = kind == sim::PracticeKind::kNeedleOut ? 1 : 0;

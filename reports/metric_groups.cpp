@@ -71,6 +71,7 @@ constexpr Rule kRules[]{
     {"trace_", MetricGroup::kPractice},
     {"traction_held", MetricGroup::kPractice},
     {"bite_", MetricGroup::kPractice},
+    {"bites_", MetricGroup::kPractice},
     {"needle_", MetricGroup::kPractice},
     {"thread_", MetricGroup::kPractice},
 };

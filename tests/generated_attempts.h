@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <random>
 #include <string>
@@ -60,6 +61,10 @@ class AttemptMaker {
         if (!task.steps.empty())
             put(recording, sim::EventKind::kPracticeSteps, 0,
                 static_cast<double>(task.steps.size()));
+        std::vector<sim::PracticeKind>& kinds = step_kinds()[task.id];
+        kinds.clear();
+        for (const curriculum::TaskStep& step : task.steps) kinds.push_back(step.goal.kind);
+        if (is_row(kinds)) mark_bite(recording, 0, 0, 0);
         return recording;
     }
 
@@ -139,6 +144,48 @@ class AttemptMaker {
                          [](const Event& a, const Event& b) { return a.time_s < b.time_s; });
     }
 
+    /// Of the tasks that attempts were made for, by their ids.
+    static std::map<std::string, std::vector<sim::PracticeKind>>& step_kinds() {
+        static std::map<std::string, std::vector<sim::PracticeKind>> kinds;
+        return kinds;
+    }
+    static bool is_row(const std::vector<sim::PracticeKind>& kinds) {
+        return std::count(kinds.begin(), kinds.end(), sim::PracticeKind::kNeedleIn) > 1;
+    }
+    // Far from where harm happens, so that no harm lies near the line by chance.
+    static constexpr double kRowX = 0.04, kHalfBite = 0.003, kPitch = 0.004;
+    static void mark_bite(sim::Recording& recording, double time_s, int step, int bite) {
+        for (const int side : {0, 1})
+            put(recording, EventKind::kBiteMark, time_s, step, side,
+                kRowX + (side == 0 ? kHalfBite : -kHalfBite), kPitch * bite)
+                .element = bite;
+    }
+    /// The first `done` steps of a row of bites, 0.2 mm beside their marks.
+    static void sew(sim::Recording& recording, const std::vector<sim::PracticeKind>& kinds,
+                    int done) {
+        using sim::PracticeKind;
+        int bite = -1;
+        for (int s = 0; s < static_cast<int>(kinds.size()) && s <= done; ++s) {
+            const double time_s = 2 + s, y = kPitch * std::max(0, bite);
+            const PracticeKind kind = kinds[static_cast<size_t>(s)];
+            if (kind == PracticeKind::kNeedleIn && ++bite > 0)
+                mark_bite(recording, time_s - 0.9, s, bite);
+            if (s == done) return;
+            if (kind == PracticeKind::kNeedleIn) {
+                const double at = kPitch * bite;
+                put(recording, EventKind::kNeedleEntered, time_s, 0.025, 0.8, kRowX, at);
+                put(recording, EventKind::kBiteEntry, time_s, s, 0.0002, kRowX + kHalfBite + 0.0002,
+                    at);
+            } else if (kind == PracticeKind::kNeedleOut) {
+                put(recording, EventKind::kNeedleLeft, time_s, 0.025, 0.0012, kRowX, y);
+                put(recording, EventKind::kBiteExit, time_s, s, 0.0002, kRowX - kHalfBite - 0.0002,
+                    y);
+            } else if (kind == PracticeKind::kNeedleThrough) {
+                put(recording, EventKind::kNeedleThrough, time_s, 0, 0, kRowX, y);
+            }
+        }
+    }
+
     static void practise(sim::Recording& recording, double share) {
         int steps = 0;
         for (const Event& e : recording.events)
@@ -148,11 +195,14 @@ class AttemptMaker {
             put(recording, sim::EventKind::kTargetTouched, 2 + s, s, 0.0002, 0.006, 0.001);
         }
         const int done = static_cast<int>(share * steps + 1e-9);
-        if (done > 0) {
+        const auto& kinds = step_kinds()[recording.header.task_id];
+        if (is_row(kinds)) {
+            sew(recording, kinds, done);
+        } else if (done > 0) {
             put(recording, EventKind::kNeedleEntered, 2, 0.025, 0.8, 0.006, 0.001);
             put(recording, sim::EventKind::kBiteEntry, 2, 0, 0.0002, 0.006, 0.001);
         }
-        if (done > 1) {
+        if (done > 1 && !is_row(kinds)) {
             put(recording, EventKind::kNeedleLeft, 3, 0.025, 0.0012, 0.006, 0.003);
             put(recording, sim::EventKind::kBiteExit, 3, 1, 0.0002, 0.006, 0.003);
         }

@@ -260,6 +260,81 @@ TEST(Practice, ABiteIsMeasuredFromItsMarksAndMayBeginAnew) {
     EXPECT_EQ(*attempt.metrics().find("steps_done_percent"), 100);
 }
 
+std::vector<PracticeStep> row_of(int bites) {
+    std::vector<PracticeStep> steps;
+    for (int i = 0; i < bites; ++i) {
+        steps.push_back({.kind = PracticeKind::kNeedleIn});
+        steps.push_back({.kind = PracticeKind::kNeedleOut});
+        steps.push_back({.kind = PracticeKind::kNeedleThrough});
+    }
+    return steps;
+}
+
+TEST(Practice, EachBiteOfARowTellsItsMarksWhenItIsNext) {
+    Attempt attempt(row_of(2));
+    const auto told = [&] {
+        std::vector<sim::Event> marks;
+        for (const sim::Event& e : attempt.recording.events)
+            if (e.kind == sim::EventKind::kBiteMark) marks.push_back(e);
+        return marks;
+    };
+    EXPECT_EQ(attempt.tracker().bites(), 2);
+    attempt.needle.mark_m = {Vec3(0.003, 0.001, 0), Vec3(-0.003, 0.001, 0)};
+    attempt.see(5);
+    ASSERT_EQ(told().size(), 2U) << "once";
+    EXPECT_EQ(told()[0].element, 0);
+    EXPECT_EQ(told()[0].value2, 0);
+    EXPECT_NEAR(told()[0].rest_position_m[0], 0.003, 1e-9);
+    EXPECT_EQ(told()[1].value2, 1);
+    EXPECT_NEAR(told()[1].rest_position_m[0], -0.003, 1e-9);
+    attempt.needle.entered = 1;
+    attempt.see();
+    attempt.needle.left = 1;
+    attempt.see();
+    EXPECT_EQ(attempt.tracker().bite(), 0);
+    attempt.needle.through = 1;
+    attempt.see();
+    EXPECT_EQ(attempt.tracker().index(), 3);
+    EXPECT_EQ(attempt.tracker().bite(), 1);
+    attempt.needle.mark_m = {Vec3(0.003, 0.005, 0), Vec3(-0.003, 0.005, 0)};
+    attempt.see();
+    ASSERT_EQ(told().size(), 4U);
+    EXPECT_EQ(told()[2].element, 1);
+    EXPECT_EQ(told()[2].value, 3) << "its step";
+    EXPECT_NEAR(told()[2].rest_position_m[1], 0.005, 1e-9);
+    EXPECT_EQ(attempt.tracker().index(), 3) << "the entry of the bite before is none of this one";
+}
+
+TEST(Practice, ASingleBiteTellsNoMarks) {
+    Attempt attempt(row_of(1));
+    attempt.see(3);
+    for (const sim::Event& e : attempt.recording.events)
+        EXPECT_NE(e.kind, sim::EventKind::kBiteMark);
+}
+
+TEST(Practice, ANeedleHasToBeTakenWhereTheStepSays) {
+    Attempt attempt({{.kind = PracticeKind::kNeedleTake, .take_share = 0.7}});
+    attempt.needle.taken = 1;
+    attempt.needle.held_share = 0.08;
+    attempt.see();
+    EXPECT_EQ(attempt.tracker().index(), 0) << "behind its point";
+    attempt.needle.held_share = 0.62;
+    attempt.see();
+    EXPECT_EQ(attempt.tracker().index(), 0) << "held there, but not taken anew";
+    attempt.needle.taken = 2;
+    attempt.see();
+    EXPECT_TRUE(attempt.tracker().done());
+}
+
+TEST(Practice, APlaceInTheFieldNeedsNoClock) {
+    PracticeStep step;
+    step.placed = true;
+    step.place_m = {sim::Vec2(0.01, 0.004), sim::Vec2(0.003, 0.004)};
+    step.hour = 3;
+    EXPECT_EQ(practice_target(step, circle(0.005), false), step.place_m[0]);
+    EXPECT_EQ(practice_target(step, circle(0.005), true), step.place_m[1]);
+}
+
 TEST(Practice, RecordingsWithoutStepsHaveNoSuchMetrics) {
     std::vector<Metric> none;
     add_practice_metrics({}, none);

@@ -15,6 +15,8 @@ constexpr double kHoverM = 0.008;       // of the circle's centre over where it 
 constexpr double kBeforeM = 0.0025;     // of the point, before it meets the tissue
 constexpr double kClearM = 0.007;       // back along the shaft, off the wire
 constexpr double kTakeM = 0.0013;       // behind the point, where it is taken again
+constexpr double kTailM = 0.0025;       // left in the tissue, so that this holds the needle
+constexpr double kToBiteShare = 0.72;   // of the arc: where it is held at the start
 constexpr double kFalseM = 0.002;       // way in, before a false start is drawn back
 constexpr double kHeldShare = 1.0 / 3;  // of the jaws behind their tips
 constexpr double kOpenRad = 0.5, kJawRadS = 1.5, kPatienceS = 20;
@@ -33,7 +35,9 @@ SutureOperator::SutureOperator(OperatorLevel level, uint64_t seed, size_t tool,
       profile_(operator_profile(level)),
       hand_(profile_, seed, home_m),
       tool_(tool),
-      spec_(spec) {}
+      spec_(spec),
+      held_rad_(kPi * kToBiteShare),
+      take_m_(kTakeM) {}
 
 void SutureOperator::see(const Perception& seen) { seen_ = seen; }
 
@@ -54,12 +58,20 @@ SutureOperator::Plane SutureOperator::plane() const noexcept {
 void SutureOperator::plan() noexcept {
     const Vec3 in = seen_.practice.target_m[0], out = seen_.practice.target_m[1];
     radius_m_ = seen_.needle_arc_m / kPi;
+    out_mark_m_ = out;
     const double half = std::min(0.5 * (out - in).norm(), 0.95 * radius_m_);
     const Plane p = plane();
     centre_ = 0.5 * (in + out) + std::sqrt(radius_m_ * radius_m_ - half * half) * p.up;
     for (int k = 0; k < 3; ++k) centre_[k] += habits_.aim_error_m * hand_.random().normal();
     entry_rad_ = kPi + std::acos(half / radius_m_);
     point_rad_ = entry_rad_ - kBeforeM / radius_m_;
+}
+
+/// Taken anew a needle does not lie quite square to the shaft: what has to go to the mark is its
+/// point, which keeps its distance from the plane while it is turned.
+void SutureOperator::look_along(const Plane& p) noexcept {
+    const Vec3 point = seen_.X_WN * Vec3(radius_m_, 0, 0);
+    centre_ -= (point - centre_).dot(p.shaft) * p.shaft;
 }
 
 Vec3 SutureOperator::hold_at(const Plane& p, const Vec3& centre, double angle) noexcept {
@@ -83,17 +95,17 @@ void SutureOperator::drive(const Plane& p, double dt_s) noexcept {
         stage(Stage::kDrawBack);
         return;
     }
-    if (seen_.exits > 0 && out_rad_ == 0) out_rad_ = point_rad_;
+    const bool came_out = seen_.exits > exits_;
+    if (came_out && out_rad_ == 0) out_rad_ = point_rad_;
     const bool out = out_rad_ > 0 && point_rad_ > out_rad_ + habits_.out_m / radius_m_;
     // The jaws must not be pushed into the tissue.
     const bool low = point_rad_ - held_rad_ > entry_rad_ - 0.15;
-    if (out || (low && seen_.exits > 0)) stage(Stage::kOpen);
-    if (low && seen_.exits == 0) stage(Stage::kOpen);
+    if (out || low) stage(Stage::kOpen);
 }
 
-/// Behind the point, from behind the wire.
+/// Behind the point, or where it is held to bite; from behind the wire.
 void SutureOperator::take_again(const Plane& p, double dt_s) noexcept {
-    const double s = kTakeM / radius_m_;
+    const double s = take_m_ / radius_m_;
     const Vec3 radial = seen_.X_WN.q * Vec3(std::cos(s), std::sin(s), 0);
     const Vec3 back = seen_.X_WN.q * Vec3(-std::sin(s), std::cos(s), 0);
     const Vec3 wire = seen_.X_WN.p + radius_m_ * radial;
@@ -109,6 +121,57 @@ void SutureOperator::take_again(const Plane& p, double dt_s) noexcept {
         stage(Stage::kCome);
 }
 
+void SutureOperator::close(const Plane& p, double dt_s) noexcept {
+    if (!hand_.jaw(0, kJawRadS, dt_s)) return;
+    if (!seen_.needle_held) {
+        if (stage_s_ > 0.6) stage(Stage::kOpen);  // beside it: once more
+        return;
+    }
+    centre_ = seen_.X_WN.p;
+    const auto angle_of = [&](const Vec3& way) {
+        return std::atan2(way.dot(p.up), way.dot(p.right));
+    };
+    grip_rad_ = angle_of(goal_ - kHeldShare * spec_.tip_length_m * p.shaft - centre_);
+    const double behind = angle_of(seen_.X_WN.q * Vec3::UnitX()) - grip_rad_;
+    if (take_m_ > kTakeM) held_rad_ = std::remainder(behind, 2 * kPi);
+    stage(Stage::kPull);
+}
+
+/// Of the needle behind its exit.
+double SutureOperator::left_inside_m() const noexcept {
+    const Vec3 exit = seen_.X_WN.inverse() * out_mark_m_;
+    return seen_.needle_arc_m - radius_m_ * std::atan2(exit.y(), exit.x());
+}
+
+/// Round until it is through, or only its end is left for the tissue to hold.
+void SutureOperator::pull(const Plane& p, double dt_s) noexcept {
+    grip_rad_ += habits_.speed_m_s * dt_s / radius_m_;
+    static_cast<void>(hand_.glide(hold_at(p, centre_, grip_rad_), 0.05, dt_s));
+    const sim::PracticeStep& step = seen_.practice.step;
+    const bool again = step.kind == sim::PracticeKind::kNeedleTake && step.take_share > 0;
+    if (seen_.drawn_through > drawn_ || stage_s_ > kPatienceS) {
+        stage(Stage::kLeave);
+    } else if (again && take_m_ == kTakeM && left_inside_m() < kTailM) {
+        take_m_ = step.take_share * seen_.needle_arc_m;
+        stage(Stage::kOpen);
+    }
+}
+
+/// Up, which draws the thread after it, and to the next bite if there is one.
+void SutureOperator::leave(double dt_s) noexcept {
+    static_cast<void>(hand_.glide(hand_.tip_m() + Vec3(0, 0, 0.01 * dt_s), 0.02, dt_s));
+    if (stage_s_ <= 0.8) return;
+    const bool another =
+        seen_.practice.step.kind == sim::PracticeKind::kNeedleIn && seen_.needle_held;
+    stage(another ? Stage::kLook : Stage::kDone);
+    take_m_ = kTakeM;
+    exits_ = seen_.exits;
+    drawn_ = seen_.drawn_through;
+    bites_ = seen_.bites;
+    starts_ = 0;
+    out_rad_ = 0;
+}
+
 bool SutureOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
     dt_s = std::clamp(dt_s, 0.0, 0.01);
     time_s_ += dt_s;
@@ -119,15 +182,15 @@ bool SutureOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
         case Stage::kLook:
             if (stage_s_ < profile_.look_s || !seen_.needle || !marks) break;
             plan();
-            // Held where it is held: the angle from the point to the jaws.
-            held_rad_ = kPi * 0.72;
             stage(Stage::kReach);
             hand_.reach(hold_at(p, centre_ + kHoverM * p.up, point_rad_ - held_rad_));
             break;
         case Stage::kReach:
             if (hand_.reached(hold_at(p, centre_ + kHoverM * p.up, point_rad_ - held_rad_), dt_s) &&
-                stage_s_ > 1.5)
+                stage_s_ > 1.5) {
+                if (drawn_ > 0) look_along(p);
                 stage(Stage::kLower);
+            }
             break;
         case Stage::kLower:
             if (hand_.glide(hold_at(p, centre_, point_rad_ - held_rad_), profile_.descend_m_s,
@@ -158,27 +221,14 @@ bool SutureOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
         case Stage::kCome:
             take_again(p, dt_s);
             break;
-        case Stage::kClose: {
-            if (!hand_.jaw(0, kJawRadS, dt_s)) break;
-            if (!seen_.needle_held && stage_s_ > 0.6) {
-                stage(Stage::kOpen);  // beside it: once more
-                break;
-            }
-            if (!seen_.needle_held) break;
-            centre_ = seen_.X_WN.p;
-            const Vec3 from = goal_ - kHeldShare * spec_.tip_length_m * p.shaft - centre_;
-            grip_rad_ = std::atan2(from.dot(p.up), from.dot(p.right));
-            stage(Stage::kPull);
+        case Stage::kClose:
+            close(p, dt_s);
             break;
-        }
         case Stage::kPull:
-            grip_rad_ += habits_.speed_m_s * dt_s / radius_m_;
-            static_cast<void>(hand_.glide(hold_at(p, centre_, grip_rad_), 0.05, dt_s));
-            if (seen_.drawn_through > 0 || stage_s_ > kPatienceS) stage(Stage::kLeave);
+            pull(p, dt_s);
             break;
         case Stage::kLeave:
-            static_cast<void>(hand_.glide(hand_.tip_m() + Vec3(0, 0, 0.01 * dt_s), 0.02, dt_s));
-            if (stage_s_ > 0.8) stage(Stage::kDone);
+            leave(dt_s);
             break;
         case Stage::kDone:
             break;

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Scripted operator for one bite: the needle's point over the first mark, round on the needle's own
+// Scripted operator for bites: the needle's point over the first mark, round on the needle's own
 // circle until it comes out, let go, taken behind the point, drawn through. The plane of the needle
 // stands across the shaft, so that the driver is turned and carried round the circle's centre.
+// Where another bite follows, tissue takes the place of a second hand: the needle is left with its
+// end in it and taken again where it is held to bite, before all of it is drawn out.
 
 #include "haptics/hand_motion.h"
 
@@ -14,7 +16,7 @@ struct SutureHabits {
     double speed_m_s = 4e-3;    ///< Of the point along its circle.
     double aim_error_m = 1e-4;  ///< Of the circle's centre, rms in each direction.
     double push = 0;            ///< Share of the way that goes straight ahead instead of round.
-    int false_starts = 0;       ///< Goes in, draws back, goes in elsewhere.
+    int false_starts = 0;       ///< Of a bite: goes in, draws back, goes in elsewhere.
     double out_m = 2.6e-3;      ///< Of the point, before it lets go.
 };
 [[nodiscard]] const SutureHabits& suture_habits(OperatorLevel level) noexcept;
@@ -49,10 +51,15 @@ class SutureOperator final : public ScriptedOperator {
     void stage(Stage next) noexcept;
     [[nodiscard]] Plane plane() const noexcept;
     void plan() noexcept;
+    void look_along(const Plane& plane) noexcept;
     /// Driver so that the wire in its jaws lies at `angle` on the circle about `centre`.
     [[nodiscard]] Vec3 hold_at(const Plane& plane, const Vec3& centre, double angle) noexcept;
     void drive(const Plane& plane, double dt_s) noexcept;
     void take_again(const Plane& plane, double dt_s) noexcept;
+    void close(const Plane& plane, double dt_s) noexcept;
+    void pull(const Plane& plane, double dt_s) noexcept;
+    void leave(double dt_s) noexcept;
+    [[nodiscard]] double left_inside_m() const noexcept;
 
     const SutureHabits& habits_;
     OperatorProfile profile_;
@@ -67,7 +74,10 @@ class SutureOperator final : public ScriptedOperator {
     double point_rad_ = 0;  ///< Where the point is.
     double held_rad_ = 0;   ///< Held this far behind it.
     double grip_rad_ = 0, side_ = 1, out_rad_ = 0;
+    double take_m_ = 0;  ///< Where it is taken next, from the point.
+    Vec3 out_mark_m_ = Vec3::Zero();
     int starts_ = 0, bites_ = 0;
+    int exits_ = 0, drawn_ = 0;  ///< Before this bite.
 };
 
 }  // namespace placode::haptics

@@ -11,6 +11,7 @@ TASKS = {
     "Placode/Ring-v0": "diathermy_ring_small",
     "Placode/Resection-v0": "scissors_resection",
     "Placode/Bite-v0": "suture_bite",
+    "Placode/RunningSuture-v0": "suture_run",
     "Placode/Dissection-v0": "sb_dissection",
 }
 

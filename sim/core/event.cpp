@@ -91,6 +91,8 @@ std::string_view event_name(EventKind kind) noexcept {
             return "bite_entry";
         case EventKind::kBiteExit:
             return "bite_exit";
+        case EventKind::kBiteMark:
+            return "bite_mark";
         case EventKind::kTuned:
             return "tuned";
         case EventKind::kStretchSum:

@@ -65,6 +65,9 @@ enum class EventKind : uint16_t {
     kTractionHeld = 65,   ///< value = seconds in the band, value2 = peak [N]
     kBiteEntry = 66,      ///< value = step, value2 = distance of a needle's entry from its mark [m]
     kBiteExit = 67,       ///< the same of its exit; distances along the tissue at rest
+    kBiteMark = 68,       ///< a bite of several is next: value = its step, value2 = 0 where the
+                          ///< needle is to go in, 1 where out (one event each), place = the mark,
+                          ///< element = number of the bite, from 0
     // Live tuning (sim/step/live_tuning.h).
     kTuned = 70,  ///< value = the new value, element = TuneParameter, tissue = which one, hash =
                   ///< frame before which it was done

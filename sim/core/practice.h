@@ -36,14 +36,17 @@ inline constexpr int kTraceBins = 72;  ///< Of the planned contour, by arc lengt
 
 struct PracticeStep {
     PracticeKind kind = PracticeKind::kMove;
-    Hand hand = Hand::kRight;    ///< Who does it; traction needs both.
-    double distance_m = 0.02;    ///< Move, depth, withdraw.
-    double turn_rad = 1;         ///< Turn.
-    double hold_s = 0;           ///< Touch, cut, coag, traction.
-    double hour = 12;            ///< Target on the clock of the planned contour, 12 = cranial.
-    double hour_left = 12;       ///< Traction: target of the left hand; needle: where it comes out.
-    double outward_m = 0;        ///< Target this far outside the planned contour.
+    Hand hand = Hand::kRight;  ///< Who does it; traction needs both.
+    double distance_m = 0.02;  ///< Move, depth, withdraw.
+    double turn_rad = 1;       ///< Turn.
+    double hold_s = 0;         ///< Touch, cut, coag, traction.
+    double hour = 12;          ///< Target on the clock of the planned contour, 12 = cranial.
+    double hour_left = 12;     ///< Traction: target of the left hand; needle: where it comes out.
+    double outward_m = 0;      ///< Target this far outside the planned contour.
+    bool placed = false;       ///< Targets at `place_m` instead.
+    std::array<Vec2, 2> place_m{Vec2::Zero(), Vec2::Zero()};  ///< In the field's plane at rest [m].
     double tolerance_m = 0.001;  ///< Distance from the target (or line) that still counts.
+    double take_share = 0;  ///< Needle taken about here along its arc, from the point; 0: anywhere.
     double low_n = 0.01, high_n = 0.1;  ///< Traction of each hand.
 };
 
@@ -53,6 +56,7 @@ struct PracticeGoal {
     PracticeStep step;                                         ///< The present one.
     std::array<Vec3, 2> target_m{Vec3::Zero(), Vec3::Zero()};  ///< Where they lie now, in W.
     int targets = 0;
+    int bites = 0, bite = 0;                   ///< A needle's, in all; number of the present one.
     double progress = 0;                       ///< Of the present step, 0..1.
     std::array<uint8_t, kTraceBins> traced{};  ///< 1 = this stretch of the contour was followed.
 };

@@ -24,7 +24,7 @@ TINY = {"edge_ring_m": 0.0014, "edge_placode_m": 0.0018, "edge_outer_m": 0.0032,
 def tiny(task="Placode/Reach-v0", **options):
     options.setdefault("lesions", 1)
     # The suture pad is small: triangles of 1.4 mm do not fit into it.
-    scene = placode.COARSE if task == "Placode/Bite-v0" else TINY
+    scene = placode.COARSE if task in ("Placode/Bite-v0", "Placode/RunningSuture-v0") else TINY
     return placode.make(task, scene=scene, **options)
 
 

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numbers>
+#include <optional>
 
+#include "assessment/bites.h"
 #include "assessment/phases.h"
 #include "assessment/scoring.h"
 #include "assessment/signal.h"
@@ -91,6 +94,38 @@ std::string metric_table(const assessment::MetricSet& metrics) {
     return table(rows);
 }
 
+/// The bites of a running suture, one by one; nothing for other tasks.
+void add_bites(const sim::Recording& recording, Json& json, std::string& text) {
+    const std::vector<assessment::Bite> bites = assessment::bites_of(recording);
+    if (bites.empty()) return;
+    json["bites"] = Json::array();
+    std::vector<std::vector<std::string>> rows{{"bite", "entry mm", "exit mm", "depth mm",
+                                                "entry to line mm", "exit to line mm", "angle deg",
+                                                "pitch mm", "done"}};
+    for (size_t i = 0; i < bites.size(); ++i) {
+        const assessment::Bite& bite = bites[i];
+        Json one{{"bite", bite.number + 1}, {"done", bite.done}};
+        std::vector<std::string> row{std::to_string(bite.number + 1)};
+        const auto add = [&](const char* key, bool known, double value) {
+            one[key] = known ? Json(value) : Json();
+            row.push_back(known ? fixed(value, 2) : "-");
+        };
+        const bool both = bite.entered && bite.left;
+        add("entry_offset_mm", bite.entered, 1e3 * bite.entry_offset_m);
+        add("exit_offset_mm", bite.left, 1e3 * bite.exit_offset_m);
+        add("depth_mm", bite.left, 1e3 * bite.depth_m);
+        add("entry_from_line_mm", both, 1e3 * bite.entry_from_line_m());
+        add("exit_from_line_mm", both, 1e3 * bite.exit_from_line_m());
+        add("angle_deg", bite.entered, bite.angle_rad * 180 / std::numbers::pi);
+        const auto pitch = i == 0 ? std::nullopt : assessment::pitch_m(bites[i - 1], bite);
+        add("pitch_mm", pitch.has_value(), 1e3 * pitch.value_or(0));
+        row.emplace_back(bite.done ? "yes" : "no");
+        json["bites"].push_back(one);
+        rows.push_back(row);
+    }
+    text += "\n" + table(rows);
+}
+
 int metrics_of_recording(const Context& context, const MetricsOptions& options) {
     std::string damage;
     const sim::Recording recording = load_recording(options, damage);
@@ -100,6 +135,7 @@ int metrics_of_recording(const Context& context, const MetricsOptions& options) 
     json["preprocessing_version"] = assessment::kPreprocessingVersion;
     json["metrics"] = to_json(metrics);
     std::string text = (damage.empty() ? "" : "damaged: " + damage + "\n") + metric_table(metrics);
+    add_bites(recording, json, text);
     if (options.phases) {
         json["phases"] = Json::array();
         for (const auto& part : assessment::compute_phase_metrics(recording)) {

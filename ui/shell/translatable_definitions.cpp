@@ -209,6 +209,31 @@ namespace {
                       "Time during which both hands pulled within the task's limits."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Times that the thread cut through the edge of its channel."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Bites of a row that came out and through which all of the needle was drawn."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Largest distance of an entry from its mark, over the bites of a row that are done."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Largest distance of an exit from its mark, over the bites of a row that are done."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Depth of the shallowest bite of a row, below the surface at rest."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Depth of the deepest bite of a row, below the surface at rest."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Depth of the deepest bite of a row less that of the shallowest."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Mean distance between the middles of neighbouring bites, along the line."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Largest less smallest distance between neighbouring bites, along the line."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Largest difference between the distances of a bite's entry and exit from the line."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Smallest angle between the needle's way and the surface at rest where it "
+                      "went in, over the bites of a row."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that the needle slid or turned in the jaws."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that jaws took the needle after the first."),
     QT_TRANSLATE_NOOP("MetricDefinition",

@@ -126,6 +126,7 @@ class Overlay {
     // overlay_goal.cpp, overlay_targets.cpp: what the present step is about, in the picture.
     void goals();
     void targets();
+    void suture_line();
     void exam_targets();
     double exam_steps(double y, double room);
     void target_text(int tool, const sim::Vec2& px, double radius, const sim::Vec3& away_mm,

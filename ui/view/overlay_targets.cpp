@@ -45,6 +45,7 @@ void Overlay::targets() {
     // The needle's point has to come there, not the driver's tip.
     const bool needle =
         goal.step.kind == PracticeKind::kNeedleIn || goal.step.kind == PracticeKind::kNeedleOut;
+    if (needle && goal.bites > 1 && goal.targets == 2) suture_line();
     for (int t = 0; t < goal.targets; ++t) {
         const Vec3 mm = 1000 * goal.target_m[static_cast<size_t>(t)];
         Vec2 px, side;
@@ -72,6 +73,20 @@ void Overlay::targets() {
         else if (tool >= 0 && !state_->exam)
             target_text(tool, px, radius, away, above);
     }
+}
+
+/// The line that the bites of a row go across, drawn past the present one to both sides.
+void Overlay::suture_line() {
+    constexpr double kHalfMm = 3;
+    const PracticeGoal& goal = state_->practice.goal;
+    const Vec3 in = 1000 * goal.target_m[0], out = 1000 * goal.target_m[1];
+    const Vec3 along = Vec3::UnitZ().cross(out - in);
+    if (along.norm() < 1e-6) return;
+    const Vec3 middle = 0.5 * (in + out), half = kHalfMm * along.normalized();
+    Vec2 from, to;
+    if (!place_of(middle - half, from) || !place_of(middle + half, to)) return;
+    shapes::stroke(*paint_, from, to, 3.5, kInk.faded(0.6F));
+    shapes::stroke(*paint_, from, to, 1.5, kText);
 }
 
 /// What is missing at a ring, as one short phrase below it.

@@ -2087,6 +2087,46 @@
         <translation>Kąt igły</translation>
     </message>
     <message>
+        <source>Bites done</source>
+        <translation>Ukończone ściegi</translation>
+    </message>
+    <message>
+        <source>Entry beside its mark, worst bite</source>
+        <translation>Wkłucie obok znaku, najgorszy ścieg</translation>
+    </message>
+    <message>
+        <source>Exit beside its mark, worst bite</source>
+        <translation>Wykłucie obok znaku, najgorszy ścieg</translation>
+    </message>
+    <message>
+        <source>Shallowest bite</source>
+        <translation>Najpłytszy ścieg</translation>
+    </message>
+    <message>
+        <source>Deepest bite</source>
+        <translation>Najgłębszy ścieg</translation>
+    </message>
+    <message>
+        <source>Spread of the depth</source>
+        <translation>Rozrzut głębokości</translation>
+    </message>
+    <message>
+        <source>Pitch of the bites</source>
+        <translation>Odstęp ściegów</translation>
+    </message>
+    <message>
+        <source>Spread of the pitch</source>
+        <translation>Rozrzut odstępów</translation>
+    </message>
+    <message>
+        <source>Asymmetry, worst bite</source>
+        <translation>Asymetria, najgorszy ścieg</translation>
+    </message>
+    <message>
+        <source>Angle of the needle, flattest bite</source>
+        <translation>Kąt igły, najbardziej płaski ścieg</translation>
+    </message>
+    <message>
         <source>Entries of the needle</source>
         <translation>Wkłucia igły</translation>
     </message>
@@ -2963,6 +3003,46 @@
     <message>
         <source>Angle between the needle's way and the surface at rest where it last went in, 90 = upright.</source>
         <translation>Kąt między drogą igły a powierzchnią w spoczynku w miejscu ostatniego wkłucia, 90 = prostopadle.</translation>
+    </message>
+    <message>
+        <source>Bites of a row that came out and through which all of the needle was drawn.</source>
+        <translation>Ściegi szwu ciągłego, w których igła wyszła i przeszła cała na wylot.</translation>
+    </message>
+    <message>
+        <source>Largest distance of an entry from its mark, over the bites of a row that are done.</source>
+        <translation>Największa odległość wkłucia od znaku wśród ukończonych ściegów szwu.</translation>
+    </message>
+    <message>
+        <source>Largest distance of an exit from its mark, over the bites of a row that are done.</source>
+        <translation>Największa odległość wykłucia od znaku wśród ukończonych ściegów szwu.</translation>
+    </message>
+    <message>
+        <source>Depth of the shallowest bite of a row, below the surface at rest.</source>
+        <translation>Głębokość najpłytszego ściegu szwu pod powierzchnią w spoczynku.</translation>
+    </message>
+    <message>
+        <source>Depth of the deepest bite of a row, below the surface at rest.</source>
+        <translation>Głębokość najgłębszego ściegu szwu pod powierzchnią w spoczynku.</translation>
+    </message>
+    <message>
+        <source>Depth of the deepest bite of a row less that of the shallowest.</source>
+        <translation>Głębokość najgłębszego ściegu szwu minus głębokość najpłytszego.</translation>
+    </message>
+    <message>
+        <source>Mean distance between the middles of neighbouring bites, along the line.</source>
+        <translation>Średnia odległość środków sąsiednich ściegów, wzdłuż linii.</translation>
+    </message>
+    <message>
+        <source>Largest less smallest distance between neighbouring bites, along the line.</source>
+        <translation>Największa minus najmniejsza odległość sąsiednich ściegów, wzdłuż linii.</translation>
+    </message>
+    <message>
+        <source>Largest difference between the distances of a bite's entry and exit from the line.</source>
+        <translation>Największa różnica odległości wkłucia i wykłucia jednego ściegu od linii.</translation>
+    </message>
+    <message>
+        <source>Smallest angle between the needle's way and the surface at rest where it went in, over the bites of a row.</source>
+        <translation>Najmniejszy kąt między drogą igły a powierzchnią w spoczynku w miejscu wkłucia, wśród ściegów szwu.</translation>
     </message>
     <message>
         <source>Times that the needle's point opened a surface from outside.</source>

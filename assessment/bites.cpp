@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/bites.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace placode::assessment {
+namespace {
+
+using sim::Event;
+using sim::EventKind;
+using sim::Vec3;
+
+Vec3 place_of(const Event& e) {
+    return {e.rest_position_m[0], e.rest_position_m[1], e.rest_position_m[2]};
+}
+
+/// What an event says of the bite that is being done.
+void note(const Event& e, Bite& bite) {
+    switch (e.kind) {
+        case EventKind::kBiteEntry:
+            bite.entered = true;
+            bite.entered_s = e.time_s;
+            bite.entry_m = place_of(e);
+            bite.entry_offset_m = static_cast<double>(e.value2);
+            break;
+        case EventKind::kBiteExit:
+            bite.left = true;
+            bite.left_s = e.time_s;
+            bite.exit_m = place_of(e);
+            bite.exit_offset_m = static_cast<double>(e.value2);
+            break;
+        case EventKind::kNeedleEntered:
+            if (!bite.left)
+                bite.angle_rad = std::asin(std::clamp(static_cast<double>(e.value2), 0.0, 1.0));
+            break;
+        case EventKind::kNeedleLeft:
+            if (!bite.left) bite.depth_m = static_cast<double>(e.value2);
+            break;
+        case EventKind::kNeedleThrough:
+            bite.done = bite.done || (bite.entered && bite.left);
+            break;
+        default:
+            break;
+    }
+}
+
+double across_m(const Bite& bite, const Vec3& place) {
+    const Vec3 way = bite.mark_in_m - bite.mark_out_m;
+    if (way.squaredNorm() < 1e-12) return 0;  // marks at one place have no line between them
+    return (place - bite.planned_middle_m()).dot(way.normalized());
+}
+
+std::vector<double> pitches_m(const std::vector<Bite>& bites) {
+    std::vector<double> found;
+    for (size_t i = 1; i < bites.size(); ++i)
+        if (const auto pitch = pitch_m(bites[i - 1], bites[i])) found.push_back(*pitch);
+    return found;
+}
+
+double spread(const std::vector<double>& values) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return *most - *least;
+}
+
+/// What is largest at the bite that a metric speaks of.
+double badness(std::string_view metric, const Bite& bite) {
+    if (metric == "bite_entry_worst_mm") return bite.entry_offset_m;
+    if (metric == "bite_exit_worst_mm") return bite.exit_offset_m;
+    if (metric == "bite_depth_least_mm") return -bite.depth_m;
+    if (metric == "bite_depth_most_mm" || metric == "bite_depth_spread_mm") return bite.depth_m;
+    if (metric == "bite_asymmetry_mm") return bite.asymmetry_m();
+    if (metric == "bite_angle_least_deg") return -bite.angle_rad;
+    return bite.number;  // of the row as a whole: its last
+}
+
+}  // namespace
+
+double Bite::entry_from_line_m() const { return across_m(*this, entry_m); }
+double Bite::exit_from_line_m() const { return -across_m(*this, exit_m); }
+double Bite::asymmetry_m() const { return std::abs(entry_from_line_m() - exit_from_line_m()); }
+
+std::vector<Bite> bites_of(const sim::Recording& recording) {
+    std::vector<Bite> bites;
+    for (const Event& e : recording.events) {
+        if (e.kind == EventKind::kBiteMark) {
+            if (bites.empty() || bites.back().number != e.element) {
+                bites.emplace_back();
+                bites.back().number = e.element;
+            }
+            (e.value2 > 0 ? bites.back().mark_out_m : bites.back().mark_in_m) = place_of(e);
+        } else if (!bites.empty()) {
+            note(e, bites.back());
+        }
+    }
+    return bites;
+}
+
+std::optional<double> pitch_m(const Bite& before, const Bite& after) {
+    if (!before.done || !after.done || after.number != before.number + 1) return std::nullopt;
+    const Vec3 along = after.planned_middle_m() - before.planned_middle_m();
+    if (along.squaredNorm() < 1e-12) return std::nullopt;
+    return (after.middle_m() - before.middle_m()).dot(along.normalized());
+}
+
+const Bite* bite_shown(std::string_view metric, const std::vector<Bite>& bites) {
+    const Bite* worst = nullptr;
+    for (const Bite& bite : bites)
+        if (bite.done && (worst == nullptr || badness(metric, bite) > badness(metric, *worst)))
+            worst = &bite;
+    return worst;
+}
+
+void add_bite_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
+    const std::vector<Bite> bites = bites_of(recording);
+    if (bites.empty()) return;
+    std::vector<double> depths;
+    double entry = 0, exit = 0, asymmetry = 0, angle = std::numbers::pi / 2;
+    for (const Bite& bite : bites) {
+        if (!bite.done) continue;
+        depths.push_back(bite.depth_m);
+        entry = std::max(entry, bite.entry_offset_m);
+        exit = std::max(exit, bite.exit_offset_m);
+        asymmetry = std::max(asymmetry, bite.asymmetry_m());
+        angle = std::min(angle, bite.angle_rad);
+    }
+    const auto add = [&](const char* id, double value) { out.push_back({id, value}); };
+    add("bites_done", static_cast<double>(depths.size()));
+    if (depths.empty()) return;
+    add("bite_entry_worst_mm", 1e3 * entry);
+    add("bite_exit_worst_mm", 1e3 * exit);
+    add("bite_depth_least_mm", 1e3 * *std::min_element(depths.begin(), depths.end()));
+    add("bite_depth_most_mm", 1e3 * *std::max_element(depths.begin(), depths.end()));
+    add("bite_asymmetry_mm", 1e3 * asymmetry);
+    add("bite_angle_least_deg", angle * 180 / std::numbers::pi);
+    add("bite_depth_spread_mm", 1e3 * spread(depths));  // of a single bite 0
+    const std::vector<double> pitches = pitches_m(bites);
+    if (pitches.empty()) return;
+    double mean = 0;
+    for (const double pitch : pitches) mean += pitch / static_cast<double>(pitches.size());
+    add("bite_pitch_mm", 1e3 * mean);
+    // Of a single distance nobody can say whether it is even.
+    if (pitches.size() > 1) add("bite_pitch_spread_mm", 1e3 * spread(pitches));
+}
+
+}  // namespace placode::assessment

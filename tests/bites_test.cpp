@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/bites.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "assessment/loci.h"
+#include "assessment/scoring.h"
+#include "curriculum/task.h"
+
+namespace placode::assessment {
+namespace THIS_TEST {
+
+using sim::EventKind;
+using sim::Vec3;
+
+constexpr double kHalfM = 0.003, kPitchM = 0.004;  // of the plan; its line is x = 0
+
+/// A row of bites as it is recorded.
+struct Row {
+    sim::Recording recording;
+    double time_s = 0;
+
+    sim::Event& add(EventKind kind, double value, double value2, const Vec3& place = Vec3::Zero()) {
+        sim::Event event;
+        event.time_s = ++time_s;
+        event.kind = kind;
+        event.value = static_cast<float>(value);
+        event.value2 = static_cast<float>(value2);
+        for (int k = 0; k < 3; ++k)
+            event.rest_position_m[static_cast<size_t>(k)] = static_cast<float>(place[k]);
+        recording.events.push_back(event);
+        return recording.events.back();
+    }
+    static Vec3 mark(int bite, bool in) { return {in ? kHalfM : -kHalfM, kPitchM * bite, 0}; }
+    void marks(int bite) {
+        for (const bool in : {true, false})
+            add(EventKind::kBiteMark, 5 * bite, in ? 0 : 1, mark(bite, in)).element = bite;
+    }
+    void enter(int bite, const Vec3& off, double sine = 0.5) {
+        add(EventKind::kNeedleEntered, 0.025, sine);
+        add(EventKind::kBiteEntry, 5 * bite, off.norm(), mark(bite, true) + off);
+    }
+    void leave(int bite, const Vec3& off, double depth_m = 1.2e-3) {
+        add(EventKind::kNeedleLeft, 0.024, depth_m);
+        add(EventKind::kBiteExit, 5 * bite + 1, off.norm(), mark(bite, false) + off);
+    }
+    void through() { add(EventKind::kNeedleThrough, 0, 0); }
+    void bite(int number, const Vec3& in = Vec3::Zero(), const Vec3& out = Vec3::Zero(),
+              double depth_m = 1.2e-3, double sine = 0.5) {
+        marks(number);
+        enter(number, in, sine);
+        leave(number, out, depth_m);
+        through();
+    }
+    [[nodiscard]] MetricSet measured() const {
+        MetricSet set;
+        add_bite_metrics(recording, set.values);
+        return set;
+    }
+};
+
+TEST(Bites, ARowIsMeasuredByItsWorstBiteAndItsSpread) {
+    Row row;
+    row.bite(0, {0.4e-3, 0, 0}, {0.1e-3, 0, 0}, 1.0e-3, 0.5);
+    // Along the line: its middle goes 0.5 mm on.
+    row.bite(1, {0, 0.3e-3, 0}, {0, 0.7e-3, 0}, 1.5e-3, 0.8);
+    row.bite(2, {-0.1e-3, 0, 0}, {0.2e-3, 0, 0}, 1.3e-3, 0.6);
+    const MetricSet set = row.measured();
+    EXPECT_EQ(*set.find("bites_done"), 3);
+    EXPECT_NEAR(*set.find("bite_entry_worst_mm"), 0.4, 1e-4);
+    EXPECT_NEAR(*set.find("bite_exit_worst_mm"), 0.7, 1e-4);
+    EXPECT_NEAR(*set.find("bite_depth_least_mm"), 1.0, 1e-4);
+    EXPECT_NEAR(*set.find("bite_depth_most_mm"), 1.5, 1e-4);
+    EXPECT_NEAR(*set.find("bite_depth_spread_mm"), 0.5, 1e-4);
+    // 4.5 mm, then 3.5 mm.
+    EXPECT_NEAR(*set.find("bite_pitch_mm"), 4.0, 1e-4);
+    EXPECT_NEAR(*set.find("bite_pitch_spread_mm"), 1.0, 1e-4);
+    // The first: 3.4 mm on one side, 2.9 on the other.
+    EXPECT_NEAR(*set.find("bite_asymmetry_mm"), 0.5, 1e-4);
+    EXPECT_NEAR(*set.find("bite_angle_least_deg"), 30, 1e-4);
+    const std::vector<Bite> bites = bites_of(row.recording);
+    ASSERT_EQ(bites.size(), 3U);
+    EXPECT_NEAR(bites[0].entry_from_line_m(), 3.4e-3, 1e-7);
+    EXPECT_NEAR(bites[0].exit_from_line_m(), 2.9e-3, 1e-7);
+    EXPECT_NEAR(*pitch_m(bites[0], bites[1]), 4.5e-3, 1e-7);
+    EXPECT_FALSE(pitch_m(bites[0], bites[2]).has_value()) << "no neighbours";
+}
+
+TEST(Bites, TheLastEntryOfABiteCounts) {
+    Row row;
+    row.marks(0);
+    row.enter(0, {2e-3, 0, 0}, 0.1);
+    row.add(EventKind::kNeedleWithdrawn, 0, 0);
+    row.enter(0, {0.2e-3, 0, 0}, 0.5);
+    row.leave(0, Vec3::Zero());
+    row.through();
+    // What happens between the bites belongs to none.
+    row.add(EventKind::kNeedleEntered, 0.025, 0.01);
+    row.add(EventKind::kNeedleLeft, 0.025, 0.01);
+    const MetricSet set = row.measured();
+    EXPECT_NEAR(*set.find("bite_entry_worst_mm"), 0.2, 1e-4);
+    EXPECT_NEAR(*set.find("bite_angle_least_deg"), 30, 1e-4);
+    EXPECT_NEAR(*set.find("bite_depth_most_mm"), 1.2, 1e-4);
+}
+
+TEST(Bites, OnlyWhatIsDoneIsMeasured) {
+    Row row;
+    row.marks(0);
+    EXPECT_EQ(*row.measured().find("bites_done"), 0);
+    EXPECT_FALSE(row.measured().find("bite_entry_worst_mm").has_value());
+    row.enter(0, Vec3::Zero());
+    row.leave(0, Vec3::Zero());
+    EXPECT_EQ(*row.measured().find("bites_done"), 0) << "the needle is still in it";
+    row.through();
+    EXPECT_EQ(*row.measured().find("bites_done"), 1);
+    EXPECT_EQ(*row.measured().find("bite_depth_spread_mm"), 0);
+    EXPECT_FALSE(row.measured().find("bite_pitch_mm").has_value());
+    row.bite(1);
+    EXPECT_NEAR(*row.measured().find("bite_pitch_mm"), 4, 1e-4);
+    EXPECT_FALSE(row.measured().find("bite_pitch_spread_mm").has_value()) << "one pitch is no row";
+    row.marks(2);
+    row.enter(2, {5e-3, 0, 0});
+    EXPECT_EQ(*row.measured().find("bites_done"), 2);
+    EXPECT_NEAR(*row.measured().find("bite_entry_worst_mm"), 0, 1e-4);
+}
+
+// A single bite is measured by itself: tasks and recordings of one bite stay what they are.
+TEST(Bites, WithoutMarksThereIsNoRow) {
+    Row row;
+    row.enter(0, Vec3::Zero());
+    row.leave(0, Vec3::Zero());
+    row.through();
+    EXPECT_TRUE(bites_of(row.recording).empty());
+    EXPECT_TRUE(row.measured().values.empty());
+}
+
+TEST(Bites, AReasonShowsTheWorstBite) {
+    Row row;
+    row.bite(0);
+    row.bite(1, {0.9e-3, 0, 0}, Vec3::Zero(), 2e-3);
+    row.bite(2, Vec3::Zero(), {0, 1.1e-3, 0}, 0.5e-3, 0.2);
+    const auto at = [&](const char* metric) { return *locate(metric, 0, row.recording).at_m; };
+    EXPECT_LT((at("bite_entry_worst_mm") - sim::Vec2(kHalfM + 0.9e-3, kPitchM)).norm(), 1e-7);
+    EXPECT_LT((at("bite_exit_worst_mm") - sim::Vec2(-kHalfM, 2 * kPitchM + 1.1e-3)).norm(), 1e-7);
+    EXPECT_LT((at("bite_depth_most_mm") - sim::Vec2(-kHalfM, kPitchM)).norm(), 1e-7);
+    EXPECT_NEAR(at("bite_depth_least_mm").y(), 2 * kPitchM + 1.1e-3, 1e-7);
+    EXPECT_NEAR(at("bite_angle_least_deg").y(), 2 * kPitchM, 1e-7);
+    EXPECT_EQ(locate("bites_done", 3, row.recording).count, 3);
+}
+
+/// The task itself: a further bite, done as badly as can be, never costs more than it earns.
+TEST(Bites, ABadBiteIsNeverWorseThanNone) {
+    const curriculum::Task task = curriculum::load_task("suture_run");
+    double earned = 0, weights = 0, costs = 0;
+    int bites = 0, last_bite = 0;
+    for (const curriculum::TaskStep& step : task.steps) {
+        if (step.goal.kind == sim::PracticeKind::kNeedleIn) {
+            ++bites;
+            last_bite = 0;
+        }
+        ++last_bite;
+    }
+    ASSERT_EQ(bites, 3);
+    for (const RubricItem& item : task.rubric.items) {
+        weights += item.earns;
+        if (item.metric.substr(0, 5) == "bite_") costs += item.max_points;
+        // Where it lacks, it has been taken in full before the last bite.
+        if (item.metric == "bite_pitch_spread_mm") costs -= item.max_points;
+        if (item.metric == "steps_done_percent")
+            earned += item.earns * 100.0 * last_bite / static_cast<double>(task.steps.size());
+    }
+    EXPECT_LE(costs, earned / weights + 1e-9);
+}
+
+}  // namespace THIS_TEST
+}  // namespace placode::assessment
