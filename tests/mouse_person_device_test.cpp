@@ -50,6 +50,16 @@ TEST(MousePerson, TakesABite) {
     EXPECT_EQ(score.verdict, assessment::Verdict::kPassed) << score.points;
 }
 
+TEST(MousePerson, SewsARow) {
+    const Task task = load_task("suture_run");
+    const sim::Recording recording = test::scripted_attempt(task, "mouse");
+    const assessment::MetricSet metrics = assessment::compute_metrics(recording);
+    EXPECT_EQ(metrics.find("steps_done_percent").value_or(-1), 100);
+    EXPECT_EQ(metrics.find("bites_done").value_or(-1), 3);
+    EXPECT_EQ(metrics.find("torn_volume_mm3").value_or(-1), 0);
+    EXPECT_EQ(metrics.find("thread_cuts").value_or(-1), 0);
+}
+
 TEST(MousePerson, TakesThePieceOut) {
     const Outcome resection = by_mouse("scissors_resection");
     // On so coarse a field about half of it comes out whole: 49 % seen.

@@ -125,6 +125,34 @@ TEST(Task, AStepSaysTheVeryTimeThatItAsksFor) {
     EXPECT_EQ(said, 2) << "cutting and coagulating in the familiarisation";
 }
 
+TEST(Task, PlacesOfAStepAreReadAndWhatDoesNotFitIsRefused) {
+    const std::string text = load_task("suture_run").json;
+    EXPECT_EQ(load_task_text(text, "test").steps[1].goal.place_m[1], sim::Vec2(0.00565, 0.004));
+    EXPECT_TRUE(load_task_text(text, "test").steps[0].goal.placed);
+    EXPECT_FALSE(load_task("suture_bite").steps[0].goal.placed);
+    const auto refusal = [&](const std::string& from, const std::string& to) {
+        std::string other = text;
+        const size_t at = other.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        other.replace(at, from.size(), to);
+        try {
+            (void)load_task_text(other, "test");
+            return std::string("taken");
+        } catch (const DefinitionError& error) {
+            return error.pointer() + ": " + error.what();
+        }
+    };
+    const std::string places = "\"places_m\":[[0.01235,0.004],[0.00565,0.004]]";
+    const std::string one = refusal(places, "\"places_m\":[[0.01235,0.004]]");
+    EXPECT_NE(one.find("/steps/0/places_m"), std::string::npos) << one;
+    EXPECT_NE(one.find("expected 2"), std::string::npos) << one;
+    const std::string both = refusal(places, places + ",\"hour\":3");
+    EXPECT_NE(both.find("/steps/0/places_m"), std::string::npos) << both;
+    EXPECT_NE(both.find("one of both"), std::string::npos) << both;
+    EXPECT_NE(refusal("\"take_share\":0.7", "\"take_share\":1.2").find("take_share"),
+              std::string::npos);
+}
+
 TEST(Task, WhatIsMissingOrUnknownIsNamed) {
     expect_refused("task_without_rubric", "/", {"key \"rubric\" is missing"});
     expect_refused("task_title_is_text", "/title", {"found \"Ring\"", "an object"});
