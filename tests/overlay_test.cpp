@@ -213,6 +213,25 @@ TEST_F(OverlayRimTest, TheBarIsOfTheInstrumentInHandAndTabLeadsBack) {
     EXPECT_EQ(count(changed(wrong, draw(overlay))), 0) << "the step's own hint would not help";
 }
 
+TEST_F(OverlayRimTest, AListOfStepsThatIsTooLongLeavesTheBarsAlone) {
+    OverlayState overlay;
+    overlay.practice.goal.count = 1;
+    overlay.practice.steps = {{"Needle in at the first mark of this bite", {}, false}};
+    const auto one = draw(overlay);
+    overlay.practice.steps.resize(20, overlay.practice.steps[0]);
+    const auto in_the_foot = [](const std::vector<bool>& marks) {
+        return std::count(marks.begin() + kWide * (kHigh - 70), marks.end(), true);
+    };
+    std::vector<std::vector<uint8_t>> seen;
+    for (const int now : {0, 9, 19}) {
+        overlay.practice.goal.index = now;
+        seen.push_back(draw(overlay));
+        EXPECT_EQ(in_the_foot(changed(one, seen.back())), 0) << now;
+    }
+    EXPECT_GT(count(changed(one, seen[0])), 500) << "what comes next is listed";
+    EXPECT_GT(count(changed(seen[1], seen[2])), 100) << "and how many there are";
+}
+
 TEST_F(OverlayRimTest, ThePerformanceIsNotWrittenOverTheTask) {
     OverlayState overlay;
     const auto bare = draw(overlay);

@@ -120,6 +120,9 @@ class Overlay {
     void gauge(double share, const char* name, std::span<const uint8_t> done);
     // overlay_practice.cpp: the list of steps.
     [[nodiscard]] double practice_steps(double y, double room);
+    [[nodiscard]] double present_step(double y, double room);
+    [[nodiscard]] double step_height(int step, double room);
+    [[nodiscard]] std::pair<int, int> listed_steps(double y, double room);
     void practice_line();
     void tick(double x, double y);
     [[nodiscard]] std::string amount_text() const;

@@ -66,39 +66,77 @@ std::string Overlay::hint_text() const {
     return phrase("Tab: back to the %1", say(tool_word(snapshot_->tools[wanted].kind)));
 }
 
-// The whole list, each step ticked off when it is done; how to do it stands below the present one.
+/// Height of a step in the list; how to do it and how much is done stand below the present one.
+double Overlay::step_height(int step, double room) {
+    const PracticeOverlay& practice = state_->practice;
+    const double row = paint_->line_height(TextSize::kSmall);
+    const auto lines = [&](const std::string& text) {
+        return static_cast<double>(paint_->wrapped(text, TextSize::kSmall, room).size());
+    };
+    const double h = lines(practice.steps[static_cast<size_t>(step)].text) * row + 0.2 * unit_;
+    return step == practice.goal.index ? h + lines(hint_text()) * row + 0.9 * unit_ : h;
+}
+
+/// First step that is listed, and the one behind the last, above the bars of force: the present
+/// one, then what comes next, then what is done.
+std::pair<int, int> Overlay::listed_steps(double y, double room) {
+    const int count = static_cast<int>(state_->practice.steps.size());
+    const int now = std::min(state_->practice.goal.index, count - 1);
+    const double row = paint_->line_height(TextSize::kSmall) + 0.2 * unit_;
+    double height = 0;
+    for (int i = 0; i < count; ++i) height += step_height(i, room);
+    int first = 0, last = count;
+    const auto is_too_high = [&] {
+        return y - 0.75 * unit_ + height + (first > 0 ? row : 0) + (last < count ? row : 0) >
+               bars_top_;
+    };
+    while (is_too_high() && first < now) height -= step_height(first++, room);
+    while (is_too_high() && last > now + 1) height -= step_height(--last, room);
+    return {first, last};
+}
+
+/// How to do the present step, and how much of it is done. Returns where the next line stands.
+double Overlay::present_step(double y, double room) {
+    const double indent = 1.3 * unit_, row = paint_->line_height(TextSize::kSmall);
+    for (const std::string& line : paint_->wrapped(hint_text(), TextSize::kSmall, room - indent)) {
+        paint_->text(margin_ + indent, y, line, TextSize::kSmall, kAccent);
+        y += row;
+    }
+    const std::string amount = amount_text();
+    const double text = paint_->text_width(amount, TextSize::kSmall);
+    const double w = room - indent - (text > 0 ? text + 0.6 * unit_ : 0);
+    paint_->box(margin_ + indent, y - 0.6 * unit_, w, 0.25 * unit_, kLine);
+    paint_->box(margin_ + indent, y - 0.6 * unit_,
+                w * std::clamp(state_->practice.goal.progress, 0.0, 1.0), 0.25 * unit_, kAccent);
+    paint_->text(margin_ + room, y - 0.2 * unit_, amount, TextSize::kSmall, kText, Align::kRight);
+    return y + 0.9 * unit_;
+}
+
+// The list of steps, each ticked off when it is done. What finds no room is counted.
 double Overlay::practice_steps(double y, double room) {
     const PracticeOverlay& practice = state_->practice;
-    const int now = practice.goal.index;
+    const int now = practice.goal.index, count = static_cast<int>(practice.steps.size());
     const double indent = 1.3 * unit_, row = paint_->line_height(TextSize::kSmall);
-    for (int i = 0; i < static_cast<int>(practice.steps.size()); ++i) {
-        const PracticeOverlay::Step& step = practice.steps[static_cast<size_t>(i)];
-        if (i < now) tick(margin_ + 0.1 * unit_, y - 0.35 * unit_);
-        if (i == now) paint_->box(margin_, y - 0.75 * unit_, 0.25 * unit_, unit_, kAccent);
-        const Colour& colour = i == now ? kText : kMuted;
-        for (const std::string& line :
-             paint_->wrapped(step.text, TextSize::kSmall, room - indent)) {
-            paint_->text(margin_ + indent, y, line, TextSize::kSmall, colour);
-            y += row;
-        }
-        if (i == now) {
-            for (const std::string& line :
-                 paint_->wrapped(hint_text(), TextSize::kSmall, room - indent)) {
-                paint_->text(margin_ + indent, y, line, TextSize::kSmall, kAccent);
-                y += row;
-            }
-            const std::string amount = amount_text();
-            const double text = paint_->text_width(amount, TextSize::kSmall);
-            const double w = room - indent - (text > 0 ? text + 0.6 * unit_ : 0);
-            paint_->box(margin_ + indent, y - 0.6 * unit_, w, 0.25 * unit_, kLine);
-            paint_->box(margin_ + indent, y - 0.6 * unit_,
-                        w * std::clamp(practice.goal.progress, 0.0, 1.0), 0.25 * unit_, kAccent);
-            paint_->text(margin_ + room, y - 0.2 * unit_, amount, TextSize::kSmall, kText,
-                         Align::kRight);
-            y += 0.9 * unit_;
-        }
+    const auto write = [&](const std::string& line, const Colour& colour) {
+        paint_->text(margin_ + indent, y, line, TextSize::kSmall, colour);
+        y += row;
+    };
+    const auto [first, last] = listed_steps(y, room - indent);
+    if (first > 0) {
+        tick(margin_ + 0.1 * unit_, y - 0.35 * unit_);
+        write(phrase("%1 done", std::to_string(first)), kMuted);
         y += 0.2 * unit_;
     }
+    for (int i = first; i < last; ++i) {
+        if (i < now) tick(margin_ + 0.1 * unit_, y - 0.35 * unit_);
+        if (i == now) paint_->box(margin_, y - 0.75 * unit_, 0.25 * unit_, unit_, kAccent);
+        for (const std::string& line : paint_->wrapped(practice.steps[static_cast<size_t>(i)].text,
+                                                       TextSize::kSmall, room - indent))
+            write(line, i == now ? kText : kMuted);
+        if (i == now) y = present_step(y, room);
+        y += 0.2 * unit_;
+    }
+    if (last < count) write(phrase("%1 more", std::to_string(count - last)), kMuted);
     return y;
 }
 

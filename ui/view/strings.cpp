@@ -34,6 +34,8 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"out", "wyjęto"},
     {"of", "z"},
     {"%1 left", "pozostało %1"},
+    {"%1 done", "gotowe: %1"},
+    {"%1 more", "jeszcze %1"},
     {"stuck", "utkwiło"},
     {"Stuck in tissue: draw back", "Końcówka utkwiła w tkance: cofnij"},
     {"Ring closed: lift the needle", "Okrąg zamknięty: unieś igłę"},
