@@ -28,7 +28,7 @@
 namespace placode::ui {
 namespace {
 
-constexpr int kFewTasks = 170, kManyTasks = 116, kLeastTask = 58;  ///< Width of a column [px].
+constexpr int kFewTasks = 170, kManyTasks = 116, kLeastTask = 48;  ///< Width of a column [px].
 
 using assessment::CohortCell;
 using assessment::Standing;
@@ -233,7 +233,10 @@ class CohortPage : public Page {
             table_->setColumnWidth(c, manyTasks() ? kManyTasks : kFewTasks);
         table_->horizontalHeader()->setMinimumSectionSize(kLeastTask);
         wrap_titles(table_);
-        keep_within(table_, {.stretch = 0, .least_px = 180, .keep_px = 180, .drop = {1}});
+        // A name ends in dots before the scores of twelve tasks scroll sideways.
+        keep_within(
+            table_,
+            {.stretch = 0, .least_px = 180, .keep_px = manyTasks() ? 150 : 180, .drop = {1}});
         table_->setMinimumHeight(std::min(10, table_->rowCount() + 3) * kTouchTarget + 20);
         connect(table_, &QTableWidget::cellActivated, this, [this](int row, int column) {
             const auto index =
