@@ -70,23 +70,8 @@ int keep(const Context& context, const BatchKeepOptions& options) {
         return score_of(scores, attempt, file);
     };
     how.recompute = sample_of(scores, options.check);
-    how.progress = [](size_t done, size_t total) {
-        show_progress("keeping " + std::to_string(done) + " of " + std::to_string(total));
-        return !CancelOn::requested();
-    };
-    std::vector<db::RescoreOutcome> outcomes;
-    try {
-        const CancelOn cancel{SIGINT, SIGTERM};
-        outcomes = db::rescore(session.store(), task, how);
-    } catch (const db::StoreError& error) {
-        clear_progress();
-        if (error.kind() == db::StoreError::Kind::kConflict) throw InputError(error.what());
-        throw;
-    }
-    clear_progress();
-    const bool stopped = CancelOn::requested();
-    print_rescores(context, task, outcomes, {options.dry_run, stopped});
-    return stopped ? 1 : 0;
+    const CancelOn cancel{SIGINT, SIGTERM};
+    return run_rescoring(context, session.store(), task, std::move(how), "keeping");
 }
 
 }  // namespace

@@ -25,22 +25,8 @@ int rescore(const Context& context, const RescoreCommandOptions& options) {
     db::RescoreOptions how;
     how.dry_run = options.dry_run;
     if (!options.user.empty()) how.user_id = session.find_user(options.user).id;
-    how.progress = [](size_t done, size_t total) {
-        show_progress("rescoring " + std::to_string(done) + " of " + std::to_string(total));
-        return !CancelOn::requested();
-    };
-    std::vector<db::RescoreOutcome> outcomes;
-    try {
-        const CancelOn cancel{SIGINT};
-        outcomes = db::rescore(session.store(), task, how);
-    } catch (const db::StoreError& error) {
-        if (error.kind() == db::StoreError::Kind::kConflict) throw InputError(error.what());
-        throw;
-    }
-    clear_progress();
-    const bool stopped = CancelOn::requested();
-    print_rescores(context, task, outcomes, {options.dry_run, stopped});
-    return stopped ? 1 : 0;
+    const CancelOn cancel{SIGINT};
+    return run_rescoring(context, session.store(), task, std::move(how), "rescoring");
 }
 
 int scores(const Context& context, const RescoreCommandOptions& options) {

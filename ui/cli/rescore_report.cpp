@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cli/rescore_report.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "assessment/signal.h"
 #include "sim/core/counted.h"
+#include "ui/cli/progress.h"
 
 namespace placode::cli {
 namespace {
@@ -77,7 +78,9 @@ std::vector<std::string> outcome_row(const db::RescoreOutcome& one, bool dry_run
     return row;
 }
 
-}  // namespace
+struct RescoreRun {
+    bool dry_run = false, stopped = false;
+};
 
 void print_rescores(const Context& context, const curriculum::Task& task,
                     const std::vector<db::RescoreOutcome>& outcomes, const RescoreRun& run) {
@@ -108,6 +111,28 @@ void print_rescores(const Context& context, const curriculum::Task& task,
               " verdicts differ, largest difference " + fixed(totals.largest, 2) +
               (run.stopped ? "; cancelled, what is done is kept" : "") +
               lack_text(totals.lack, totals.lacking));
+}
+
+}  // namespace
+
+int run_rescoring(const Context& context, db::Store& store, const curriculum::Task& task,
+                  db::RescoreOptions options, const std::string& doing) {
+    options.progress = [&](size_t done, size_t total) {
+        show_progress(doing + " " + std::to_string(done) + " of " + std::to_string(total));
+        return !CancelOn::requested();
+    };
+    std::vector<db::RescoreOutcome> outcomes;
+    try {
+        outcomes = db::rescore(store, task, options);
+    } catch (const db::StoreError& error) {
+        clear_progress();
+        if (error.kind() == db::StoreError::Kind::kConflict) throw InputError(error.what());
+        throw;
+    }
+    clear_progress();
+    const bool stopped = CancelOn::requested();
+    print_rescores(context, task, outcomes, {options.dry_run, stopped});
+    return stopped ? 1 : 0;
 }
 
 }  // namespace placode::cli

@@ -8,11 +8,10 @@
 
 namespace placode::cli {
 
-struct RescoreRun {
-    bool dry_run = false, stopped = false;
-};
-
-void print_rescores(const Context& context, const curriculum::Task& task,
-                    const std::vector<db::RescoreOutcome>& outcomes, const RescoreRun& run);
+/// Rescores with `options`, shows `doing` with its progress, and prints what came of it. Ctrl+C
+/// stops it where the caller waits for that (CancelOn). Returns the exit status.
+/// @throws InputError for what the store calls a conflict.
+int run_rescoring(const Context& context, db::Store& store, const curriculum::Task& task,
+                  db::RescoreOptions options, const std::string& doing);
 
 }  // namespace placode::cli
