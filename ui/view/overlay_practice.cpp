@@ -4,6 +4,7 @@
 // at its foot.
 
 #include <algorithm>
+#include <numeric>
 
 #include "ui/view/overlay.h"
 #include "ui/view/overlay_shapes.h"
@@ -83,15 +84,16 @@ std::pair<int, int> Overlay::listed_steps(double y, double room) {
     const int count = static_cast<int>(state_->practice.steps.size());
     const int now = std::min(state_->practice.goal.index, count - 1);
     const double row = paint_->line_height(TextSize::kSmall) + 0.2 * unit_;
-    double height = 0;
-    for (int i = 0; i < count; ++i) height += step_height(i, room);
+    std::vector<double> heights;
+    for (int i = 0; i < count; ++i) heights.push_back(step_height(i, room));
+    double height = std::accumulate(heights.begin(), heights.end(), 0.0);
     int first = 0, last = count;
     const auto is_too_high = [&] {
         return y - 0.75 * unit_ + height + (first > 0 ? row : 0) + (last < count ? row : 0) >
                bars_top_;
     };
-    while (is_too_high() && first < now) height -= step_height(first++, room);
-    while (is_too_high() && last > now + 1) height -= step_height(--last, room);
+    while (is_too_high() && first < now) height -= heights[static_cast<size_t>(first++)];
+    while (is_too_high() && last > now + 1) height -= heights[static_cast<size_t>(--last)];
     return {first, last};
 }
 
