@@ -12,18 +12,23 @@ _REACH_LOW, _REACH_HIGH = (-0.06, -0.06, -0.01), (0.06, 0.06, 0.08)
 _TURNS = 4 * np.pi
 
 
+# Beside where the tip goes: what a tool of each kind can do.
+_ABILITIES = {
+    "probe": (),
+    "needle": ("cut", "coag"),
+    "hook": ("roll", "cut", "coag"),
+    "grasper": ("roll", "jaw"),
+    "scissors": ("roll", "jaw"),
+    "needle_driver": ("roll", "jaw"),
+    "scope": (),
+}
+
+
 def _used(kind, shares_port):
     """Numbers that do something for this kind of tool."""
-    names = ["x", "y", "z"]
-    if kind in ("grasper", "scissors", "hook"):
-        names.append("roll")
-    if kind in ("grasper", "scissors"):
-        names.append("jaw")
-    if kind in ("needle", "hook"):
-        names += ["cut", "coag"]
-    if shares_port:
-        names.append("engaged")
-    return names
+    if kind not in _ABILITIES:
+        raise ValueError(f"no abilities known of a tool of kind {kind!r}")
+    return ["x", "y", "z", *_ABILITIES[kind], *(["engaged"] if shares_port else [])]
 
 
 class ActionMap:

@@ -276,6 +276,33 @@ class Moments(unittest.TestCase):
             tiny("Placode/Trace-v0").restore(moment)
 
 
+class Operators(unittest.TestCase):
+    def test_nothing_that_they_do_is_lost_in_an_action(self):
+        """Whatever a scripted operator does with an instrument, a policy can do as well."""
+        for task in placode.TASKS:
+            env = tiny(task, units="absolute", frame_skip=40)
+            env.reset(seed=1)
+            operator = placode._placode.Expert(env.handle, "expert", 1)
+            wish = np.empty(env.actions.rest.shape)
+            moved = [kind != "scope" for kind, _ in env.handle.tools]
+            for _ in range(300):
+                if operator.act(env.frame_skip, wish):
+                    env.finish()
+                action = env.actions.part(wish)
+                kept = env.actions.full(action)[0].reshape(len(moved), -1)[moved]
+                # Hands that are full of one tool are not asked about their place in the port.
+                np.testing.assert_allclose(kept[:, :7], wish.reshape(len(moved), -1)[moved][:, :7],
+                                           atol=1e-9, err_msg=task)
+                if env.step(action)[2]:
+                    break
+
+    def test_the_expert_sews(self):
+        env = tiny("Placode/Bite-v0", units="absolute")
+        _, info, _ = policies.rollout(env, policies.Scripted, seed=1)
+        self.assertTrue(info["success"], info["reasons"])
+        self.assertEqual(info["metrics"]["needle_entries"], 1)
+
+
 class Recordings(unittest.TestCase):
     def test_the_expert_passes_and_placodectl_agrees(self):
         env = tiny(units="absolute", record=True, frame_skip=20)
