@@ -42,7 +42,7 @@ check_build() {
   local preset=$1 log=build/$1.log
   cmake --preset "$preset" >"$log" 2>&1 || { tail -n 15 "$log"; return 1; }
   echo "check.sh: $preset: building"
-  ninja -C "build/$preset" "$2" >"$log" 2>&1 || { grep -E -m 5 'error|FAILED' "$log"; return 1; }
+  ninja -k 0 -C "build/$preset" "$2" >"$log" 2>&1 || { grep -E -m 5 'error|FAILED' "$log"; return 1; }
   echo "check.sh: $preset: built in $SECONDS s"
   ctest --test-dir "build/$preset" -L "$3" -E "${4:-^$}" -j "$(nproc)" --timeout 900 --output-on-failure >"$log" 2>&1 ||
     { grep -E -A 30 -m 3 'ERROR: |WARNING: Thread|runtime error|Assertion|\*\*\*' "$log"; return 1; }
