@@ -445,20 +445,27 @@ class Pictures(unittest.TestCase):
         self.assertIsNone(tiny().render())
 
 
-class Example(unittest.TestCase):
-    """The script of docs/environment.md, in short form."""
+class Examples(unittest.TestCase):
+    """The scripts of docs/environment.md, in short form."""
 
-    def test_learns_and_writes_an_attempt_that_replays(self):
-        script = os.path.join(os.path.dirname(__file__), "..", "..", "examples",
-                              "learn_to_reach.py")
+    def learn(self, script, arguments, expected, task):
+        """The output has what is expected, and the attempt can be read."""
+        script = os.path.join(os.path.dirname(__file__), "..", "..", "examples", script)
         with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "reach.placode")
-            done = subprocess.run([sys.executable, script, "1", path], capture_output=True,
+            path = os.path.join(folder, "last.placode")
+            done = subprocess.run([sys.executable, script, *arguments, path], capture_output=True,
                                   text=True, check=True, timeout=300)
-            self.assertRegex(done.stdout, "generation +1: reward -?[0-9]")
+            self.assertRegex(done.stdout, expected)
             metrics = subprocess.run([os.environ["PLACODECTL"], "--json", "metrics", path],
                                      capture_output=True, text=True, check=True).stdout
-            self.assertIn("touch_targets", metrics)
+            self.assertIn(task, metrics)
+
+    def test_learns_by_reward(self):
+        self.learn("learn_to_reach.py", ["1"], "generation +1: reward -?[0-9]", "touch_targets")
+
+    def test_learns_from_an_expert(self):
+        self.learn("learn_from_expert.py", ["Placode/Trace-v0", "1", "2", "1"],
+                   "1 demonstrations, epoch 2: points [0-9.]+ .*, [01] of 1 passed", "trace_contour")
 
 
 class Stubs(unittest.TestCase):
