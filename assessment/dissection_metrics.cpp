@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "assessment/tissue_metric_parts.h"
+#include "sim/world/pieces_state.h"
 
 namespace placode::assessment {
 
@@ -49,6 +50,22 @@ std::optional<double> marked_share(const sim::Recording& recording, sim::EventKi
     return share;
 }
 
+/// Around how much of the placode nothing holds any more [deg]. Every sector is looked at once in
+/// the first frames, when nothing can have been cut: one that is free then (in a coarse field a
+/// sector may have no path of its own to the skin) says nothing about the operation.
+double released_deg(const sim::Recording& recording) {
+    const double first_round_s = (sim::kSectors + 0.5) * recording.header.frame_s;
+    int hung = sim::kSectors, freed = 0;
+    for (const sim::Event& e : recording.events) {
+        if (e.kind != sim::EventKind::kSectorFree) continue;
+        if (e.time_s <= first_round_s)
+            --hung;
+        else
+            ++freed;
+    }
+    return hung > 0 ? 360.0 * freed / hung : 0;
+}
+
 /// What became of the marked tissue: taken out, destroyed; the rest was left behind.
 void add_marked(const sim::Recording& recording, std::vector<Metric>& out) {
     const auto taken = marked_share(recording, sim::EventKind::kTakenOut);
@@ -68,7 +85,7 @@ void add_dissection(const sim::Recording& recording, std::vector<Metric>& out) {
         blades = blades || tool.kind == sim::ToolKind::kScissors;
     }
     if (!recording.header.geometry.planned_contour.empty()) {
-        out.push_back({"released_deg", 5.0 * total(recording, EventKind::kSectorFree).count});
+        out.push_back({"released_deg", released_deg(recording)});
     }
     if (blades) {
         double skin_m2 = 0;

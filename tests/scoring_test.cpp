@@ -272,7 +272,7 @@ TEST(Scoring, WhatStillHoldsAndWhatIsLeftAreShownWhereTheyAre) {
     for (int s = 0; s < 72; ++s)
         if (s < 33 || s > 38)
             recording.events.push_back(
-                event(sim::EventKind::kSectorFree, s, static_cast<float>(s), 0, 0, 0));
+                event(sim::EventKind::kSectorFree, 1 + s, static_cast<float>(s), 0, 0, 0));
     recording.events.push_back(event(sim::EventKind::kTakenOut, 80, 1e-9F, 0.625F, 0, -0.005F));
     const MetricSet metrics = compute_metrics(recording);
     EXPECT_NEAR(*metrics.find("resected_percent"), 62.5, 1e-4);
@@ -280,6 +280,22 @@ TEST(Scoring, WhatStillHoldsAndWhatIsLeftAreShownWhereTheyAre) {
     ASSERT_EQ(score.reasons.size(), 2u);
     EXPECT_EQ(score.reasons[0].text, "62.5 at 3 o'clock");
     EXPECT_EQ(score.reasons[1].text, "330 at 6 o'clock");
+}
+
+TEST(Scoring, WhatNeverHungIsNotReleased) {
+    sim::Recording recording;
+    recording.samples.resize(1);
+    recording.header.geometry.planned_contour = {{0.006, 0, 0}, {0, 0.006, 0}, {-0.006, 0, 0}};
+    const auto released = [&recording](int first, int end, double time_s) {
+        for (int s = first; s < end; ++s)
+            recording.events.push_back(
+                event(sim::EventKind::kSectorFree, time_s, static_cast<float>(s), 0, 0, 0));
+        return *compute_metrics(recording).find("released_deg");
+    };
+    // Every sector is looked at once in the first 72 frames, before anything can be cut.
+    EXPECT_EQ(released(0, 12, 0.072), 0);
+    EXPECT_EQ(released(12, 42, 9), 180) << "30 of the 60 that hung";
+    EXPECT_EQ(released(42, 72, 10), 360);
 }
 
 }  // namespace THIS_TEST
