@@ -46,6 +46,8 @@ std::string digest_of(const DemonstrationArrays& arrays) {
 std::string environment_arguments(const std::string& task, double step_s) {
     const QJsonObject arguments{{"task", QString::fromStdString(task)},
                                 {"units", "absolute"},
+                                // The attribute `seed` is that of the field.
+                                {"lesions", 0},
                                 {"frame_skip", static_cast<int>(std::llround(step_s * 1000))}};
     return QJsonDocument(QJsonObject{{"env_name", QString::fromStdString(task)},
                                      {"type", 2},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "haptics/trocar.h"
 #include "reports/report.h"
@@ -16,8 +17,10 @@ namespace {
 constexpr std::array<const char*, 8> kActions{"x",   "y",   "z",    "roll",
                                               "jaw", "cut", "coag", "engaged"};
 constexpr double kMm = 1000;
+constexpr double kTurn = 2 * std::numbers::pi;
 
-/// Where a tool would be with no roll, and so which roll it has.
+/// Where a tool would be with no roll, and so which roll it has. A pose does not tell whole turns:
+/// a roll goes on from the one before, as the hand's did.
 class Rolls {
  public:
     explicit Rolls(const std::vector<sim::ToolSpec>& tools) : tools_(tools) {
@@ -32,12 +35,15 @@ class Rolls {
         haptics::DeviceState state;
         state.position_m = pose.p - trocars_[tool].settings().home_tip_m;
         const auto turn = trocars_[tool].tip_pose(state).q.conjugate() * pose.q;
-        return 2 * std::atan2(turn.z(), turn.w());
+        const double roll = 2 * std::atan2(turn.z(), turn.w());
+        last_[tool] = roll + kTurn * std::round((last_[tool] - roll) / kTurn);
+        return last_[tool];
     }
 
  private:
     const std::vector<sim::ToolSpec>& tools_;
     std::vector<haptics::Trocar> trocars_;
+    std::array<double, sim::kMaxTools> last_{};
 };
 
 void add_observation(const sim::Recording& recording, const sim::Sample& sample,
