@@ -23,8 +23,15 @@ double to_line_m(std::span<const Vec3> line, const Vec3& from) {
     return nearest;
 }
 
-/// Only in scenes with a needle; before it is placed it lies nowhere, which is at the origin.
-sim::Pose needle_pose(const Sight& s) { return s.seen.needle ? s.seen.X_WN : sim::Pose(); }
+/// Only in scenes with a needle. It comes with the first frame: before, it is where the jaws will
+/// have it (sim/step/needle_jaws.cpp, place_in_jaws()).
+sim::Pose needle_pose(const Sight& s) {
+    if (s.seen.needle) return s.seen.X_WN;
+    for (size_t t = 0; t < s.scene.tools.size(); ++t)
+        if (s.scene.tools[t].kind == sim::ToolKind::kNeedleDriver && s.hands.engaged(t))
+            return s.poses[t] * s.scene.needle_start.X_TN;
+    return {};
+}
 
 const Vec3& tip_of(const Sight& s, size_t i) { return s.poses[i].p; }
 
@@ -109,7 +116,7 @@ constexpr ToolVector kNeedleVectors[] = {
      }},
 };
 constexpr Number kNeedleNumbers[] = {
-    {"held", [](const Sight& s) { return s.seen.needle_held ? 1.0 : 0; }},
+    {"held", [](const Sight& s) { return s.seen.needle_held || !s.seen.needle ? 1.0 : 0; }},
     {"bites", [](const Sight& s) { return static_cast<double>(s.seen.bites); }},
     {"exits", [](const Sight& s) { return static_cast<double>(s.seen.exits); }},
     {"drawn_through", [](const Sight& s) { return static_cast<double>(s.seen.drawn_through); }},

@@ -241,6 +241,10 @@ TEST(Environment, ABiteIsSeenAndRewardedByTheNeedlesPoint) {
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
     EXPECT_EQ(names.back(), "harm.thread_cuts") << "the needle's numbers come last";
     const auto seen = [&](const char* name) { return test::seen(environment, name); };
+    // The first look shows the needle where the first frame has it, and not at the origin.
+    EXPECT_EQ(seen("needle.held"), 1);
+    const double point_z_mm = seen("needle.point_z_mm");
+    EXPECT_GT(point_z_mm, 5);
     Expert expert(environment, "expert", 1);
     std::vector<double> action(environment.tools() * kActionSize);
     double parts = 0;
@@ -248,6 +252,9 @@ TEST(Environment, ABiteIsSeenAndRewardedByTheNeedlesPoint) {
     while (!environment.ended()) {
         const bool done = expert.act(environment, 10, action);
         parts += environment.step(action, 10, done).score_part;
+        if (environment.state().frame == 10) {
+            EXPECT_NEAR(seen("needle.point_z_mm"), point_z_mm, 0.5);
+        }
         if (seen("steps_done") == 0) {
             held_at_first = held_at_first || seen("needle.held") == 1;
             // The way to the mark begins where the needle's point is.
