@@ -10,6 +10,7 @@ import numpy as np
 from . import _placode
 from .actions import ActionMap
 from .errors import BadArgument
+from .options import checked, seed_of
 from .spaces import Box, HAS_GYMNASIUM
 from .tasks import task_of
 
@@ -60,20 +61,31 @@ def shared_fields():
     return fields
 
 
+def _plain(number):
+    """A number of numpy for JSON."""
+    if isinstance(number, (np.integer, np.floating)):
+        return number.item()
+    raise BadArgument(f"scene: {number!r} is no number, text, list or dict")
+
+
 class FieldsUser:
     """Opens an environment of placode.h with the options that both kinds of environments have."""
 
     @staticmethod
     def open(task, fields, *, sparse=False, units="normalised", coarse=None, scene=None,
              lesions=4, **options):
+        options = checked(options)
+        sparse, lesions = (checked({"sparse": sparse, "lesions": lesions})[name]
+                           for name in ("sparse", "lesions"))
+        checked({"coarse": coarse, "scene": scene})
         if units not in ("normalised", "absolute"):
             raise BadArgument(f'units: expected "normalised" or "absolute", found {units!r}')
         changes = dict(coarse or {})
         changes.update(scene or {})
         if changes:
-            options["scene_changes"] = json.dumps(changes)
+            options["scene_changes"] = json.dumps(changes, default=_plain)
         return _placode.Environment(fields, task_of(task), absolute=units == "absolute",
-                                    sparse=bool(sparse), fields=int(lesions), **options)
+                                    sparse=sparse, fields=lesions, **options)
 
 
 class PlacodeEnv(_Env):
@@ -97,19 +109,21 @@ class PlacodeEnv(_Env):
                  fields=None, **options):
         if render_mode not in (None, "rgb_array"):
             raise BadArgument(f'render_mode: expected "rgb_array" or None, found {render_mode!r}')
-        if int(frame_skip) < 1:
-            raise BadArgument(f"frame_skip: expected at least 1, found {frame_skip}")
+        own = checked({"frame_skip": frame_skip, "width": width, "height": height,
+                       "move_scope": move_scope, "finish_action": finish_action})
         self._fields = fields if fields is not None else shared_fields()
         self.handle = FieldsUser.open(task, self._fields, units=units, **options)
-        self.frame_skip = int(frame_skip)
+        self.frame_skip = own["frame_skip"]
         self.metadata = dict(self.metadata, render_fps=1000 / self.frame_skip)
         self.render_mode = render_mode
-        self._size = (int(width), int(height))
+        self._size = (own["width"], own["height"])
         self._picture = None
         self.observation_names = self.handle.observation_names
         self._tips = [[self.observation_names.index(f"tool{i}.tip_{axis}_mm") for axis in "xyz"]
                       for i in range(len(self.handle.tools))]
-        self.actions = ActionMap(self.handle.tools, units == "absolute", move_scope, finish_action)
+        self._time = self.observation_names.index("time_s")
+        self.actions = ActionMap(self.handle.tools, units == "absolute", own["move_scope"],
+                                 own["finish_action"])
         self.action_space = self.actions.space
         count = len(self.observation_names)
         self.observation_space = Box(-np.inf, np.inf, (count,), np.float64)
@@ -120,6 +134,11 @@ class PlacodeEnv(_Env):
         """What the numbers of an action are, such as "tool0.x"."""
         return self.actions.names
 
+    @property
+    def time_s(self):
+        """Simulated time since the beginning of the attempt."""
+        return float(self._observe()[self._time])
+
     def _observe(self):
         out = np.empty(self.observation_space.shape)
         self.handle.observe(out)
@@ -128,9 +147,7 @@ class PlacodeEnv(_Env):
     def reset(self, *, seed=None, options=None):
         """A new attempt. options: {"moment": env.save()} goes back to a saved moment instead."""
         if seed is not None:
-            if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)) or seed < 0:
-                raise BadArgument(f"seed: expected a whole number from 0, found {seed!r}")
-            seed = int(seed)
+            seed = seed_of(seed)
         super().reset(seed=seed)
         options = dict(options or {})
         moment = options.pop("moment", None)
@@ -174,6 +191,8 @@ class PlacodeEnv(_Env):
 
     def restore(self, moment):
         """Back to a saved moment: everything goes on bit by bit as it did then."""
+        if not isinstance(moment, _placode.Moment):
+            raise BadArgument(f"restore: expected what save() returned, found {moment!r}")
         return self.reset(options={"moment": moment})[0]
 
     def close(self):

@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tasks that come as environments."""
 
+import os
+
+from .errors import BadArgument
+
 # Environment id of Gymnasium: task of Placode. "-v0": observation, action or reward change with it.
 TASKS = {
     "Placode/Reach-v0": "touch_targets",
@@ -22,4 +26,9 @@ COARSE = {"edge_ring_m": 0.0010, "edge_placode_m": 0.0014, "edge_outer_m": 0.003
 
 def task_of(name):
     """Task id of an environment id; any other name stays: a task id or the path of a JSON file."""
+    if not isinstance(name, (str, os.PathLike)):
+        raise BadArgument(f"task: expected a name or a path, found {name!r}")
+    name = os.fspath(name)
+    if name.startswith("Placode/") and name not in TASKS:
+        raise BadArgument(f"task: no environment {name!r}; expected one of {', '.join(TASKS)}")
     return TASKS.get(name, name)

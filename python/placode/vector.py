@@ -10,6 +10,7 @@ from . import _placode
 from .actions import ActionMap
 from .env import FieldsUser, shared_fields
 from .errors import BadArgument
+from .options import checked, seed_of
 from .spaces import Box, HAS_GYMNASIUM, batched
 
 if HAS_GYMNASIUM:
@@ -45,27 +46,35 @@ class PlacodeVectorEnv(_VectorEnv):
 
     threads         C++ threads that step them; each environment's physics has one
     autoreset_mode  AutoresetMode.SAME_STEP (infos["final_obs"] holds the last observation),
-                    NEXT_STEP or DISABLED
+                    NEXT_STEP or DISABLED, where reset(options={"reset_mask": MASK}) begins
+                    anew those that MASK names
+
+    infos["success"] says of every environment whether its attempt passed. But with SAME_STEP, where
+    the next attempt has begun, infos["points"] has the points of those that ended. finish_action and
+    pictures are for single environments.
     """
 
     def __init__(self, task, num_envs, *, threads=1, autoreset_mode=AutoresetMode.NEXT_STEP,
                  frame_skip=20, units="normalised", move_scope=False, fields=None, **options):
-        if int(num_envs) < 1:
-            raise BadArgument(f"num_envs: expected at least 1, found {num_envs}")
+        own = checked({"num_envs": num_envs, "threads": threads, "frame_skip": frame_skip,
+                       "move_scope": move_scope})
+        for name in ("finish_action", "render_mode", "width", "height"):
+            if name in options:
+                raise BadArgument(f"{name}: for single environments only")
         mode = AutoresetMode(autoreset_mode)
         self._fields = fields if fields is not None else shared_fields()
-        self.num_envs = int(num_envs)
-        self.frame_skip = int(frame_skip)
+        self.num_envs = own["num_envs"]
+        self.frame_skip = own["frame_skip"]
         self.autoreset_mode = mode
         self.metadata = {"autoreset_mode": mode, "render_modes": []}
         self.handles = tuple(FieldsUser.open(task, self._fields, units=units, **options)
                              for _ in range(self.num_envs))
-        self._batch = _placode.Batch(self.handles, _MODES[mode.value], int(threads))
+        self._batch = _placode.Batch(self.handles, _MODES[mode.value], own["threads"])
         self.observation_names = self.handles[0].observation_names
         tools = self.handles[0].tools
         self._tips = [[self.observation_names.index(f"tool{i}.tip_{axis}_mm") for axis in "xyz"]
                       for i in range(len(tools))]
-        self.actions = ActionMap(tools, units == "absolute", move_scope)
+        self.actions = ActionMap(tools, units == "absolute", own["move_scope"])
         self.single_action_space = self.actions.space
         self.single_observation_space = Box(-np.inf, np.inf, (len(self.observation_names),),
                                             np.float64)
@@ -73,18 +82,48 @@ class PlacodeVectorEnv(_VectorEnv):
         self.observation_space = batched(self.single_observation_space, self.num_envs)
         self._rng = np.random.default_rng()
 
+    @property
+    def action_names(self):
+        """What the numbers of one environment's action are, such as "tool0.x"."""
+        return self.actions.names
+
+    def _seeds(self, seed):
+        """A seed for every environment; without one they follow from the seed given last."""
+        if seed is None:
+            return [int(s) for s in self._rng.integers(2**31, size=self.num_envs)]
+        if np.ndim(seed) == 0:
+            seeds = [seed_of(seed) + i for i in range(self.num_envs)]
+        else:
+            seeds = [seed_of(s) for s in seed]
+        if len(seeds) != self.num_envs:
+            raise BadArgument(f"seed: expected {self.num_envs} whole numbers, found {len(seeds)}")
+        self._rng = np.random.default_rng(seeds)
+        return seeds
+
+    def _reset_some(self, mask, seeds):
+        """Gymnasium's way to go on after an end where nothing begins by itself."""
+        mask = np.asarray(mask)
+        if self.autoreset_mode != AutoresetMode.DISABLED:
+            raise BadArgument("reset_mask: only where autoreset_mode is DISABLED")
+        if mask.dtype != bool or mask.shape != (self.num_envs,) or not mask.any():
+            raise BadArgument(f"reset_mask: expected {self.num_envs} booleans, at least one of them "
+                              f"true, found {mask!r}")
+        observations = np.empty(self.observation_space.shape)
+        for i, handle in enumerate(self.handles):
+            if mask[i]:
+                handle.reset(seeds[i])
+            handle.observe(observations[i])
+        return observations, {}
+
     def reset(self, *, seed=None, options=None):
         """seed: one number (environment i gets seed + i), or one for each."""
+        options = dict(options or {})
+        mask = options.pop("reset_mask", None)
         if options:
-            raise BadArgument("reset of a vector: no options are known")
-        if seed is None:
-            seeds = [int(s) for s in self._rng.integers(2**31, size=self.num_envs)]
-        elif np.ndim(seed) == 0:
-            seeds = [int(seed) + i for i in range(self.num_envs)]
-        else:
-            seeds = [int(s) for s in seed]
-        if len(seeds) != self.num_envs or min(seeds) < 0:
-            raise BadArgument(f"seed: expected {self.num_envs} whole numbers from 0")
+            raise BadArgument(f"reset: unknown options {sorted(options)}; expected reset_mask")
+        seeds = self._seeds(seed)
+        if mask is not None:
+            return self._reset_some(mask, seeds)
         observations = np.empty(self.observation_space.shape)
         self._batch.reset(seeds, observations)
         # All start with the same instruments at home.
@@ -109,6 +148,10 @@ class PlacodeVectorEnv(_VectorEnv):
         terminated, truncated, success = (a.astype(bool) for a in (terminated, truncated, success))
         infos = {"success": success, "_success": np.ones(n, bool)}
         over = terminated | truncated
+        if last is None and over.any():
+            infos["points"] = np.array([handle.score()[0] if ended else 0.0
+                                        for handle, ended in zip(self.handles, over)])
+            infos["_points"] = over
         if last is not None and over.any():
             final = np.full(n, None, dtype=object)
             for i in np.flatnonzero(over):

@@ -4,6 +4,8 @@ from typing import Any, Sequence
 
 from numpy.typing import ArrayLike
 
+from ._placode import Moment
+
 class Wrapper:
     env: Any
     def __init__(self, env: Any) -> None: ...
@@ -12,13 +14,16 @@ class Wrapper:
     def render(self) -> Any: ...
     def close(self) -> None: ...
 
-class TimeLimit(Wrapper):
+class _Restoring(Wrapper):
+    def restore(self, moment: Moment) -> Any: ...
+
+class TimeLimit(_Restoring):
     max_episode_steps: int
     def __init__(self, env: Any, max_episode_steps: int) -> None: ...
 
-class FrameSkip(Wrapper):
+class FrameSkip(_Restoring):
     skip: int
     def __init__(self, env: Any, skip: int) -> None: ...
 
-class SelectObservation(Wrapper):
+class SelectObservation(_Restoring):
     def __init__(self, env: Any, names: Sequence[str], scale: ArrayLike = 1.0) -> None: ...

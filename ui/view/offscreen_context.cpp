@@ -75,7 +75,7 @@ class OffscreenContext final : public GlContext {
     [[noreturn]] void fail(const std::string& what) {
         release();
         throw ViewError("cannot draw off-screen: " + what +
-                        "; install libegl1 and libgl1-mesa-dri, or leave out --screenshots");
+                        "; install libegl1 and libgl1-mesa-dri, or go on without pictures");
     }
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
