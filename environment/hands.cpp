@@ -3,6 +3,7 @@
 #include "environment/hands.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "sim/core/random.h"
@@ -73,6 +74,8 @@ void Hands::choose_engaged(std::span<const double> actions, double above) {
 
 void Hands::aim(ActionUnits units, double speed_m_s, std::span<const double> actions, int frames,
                 double frame_s) {
+    assert(actions.size() >= hands_.size() * kActionSize &&
+           std::ranges::all_of(actions, [](double number) { return std::isfinite(number); }));
     frame_s_ = frame_s;
     frames_left_ = std::max(1, frames);
     const bool normalised = units == ActionUnits::kNormalised;

@@ -3,6 +3,7 @@
 #include "environment/policy.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace placode::environment {
 namespace {
@@ -21,6 +22,7 @@ ActionUnits policy_units(std::string_view name) {
 
 Policy::Policy(const std::string& name, const Environment& environment, uint64_t seed)
     : random_(name == "random"), numbers_(seed), held_s_(kHoldS) {
+    assert(environment.began());
     if (std::find(kPolicies.begin(), kPolicies.end(), name) == kPolicies.end())
         throw EnvironmentError(
             EnvironmentError::Kind::kBadArgument,

@@ -8,6 +8,8 @@
 
 #include "sim/solver/vertex_step.h"
 
+#include <cassert>
+
 namespace placode::sim {
 
 /// Stiffness of a contact against what the touched vertices answer at once. Sphere of 1.5 mm
@@ -20,6 +22,7 @@ inline constexpr double kContactRatio = 6;
 /// @param gap negative: the overlap. @pre gap < 0
 inline void add_normal_contact(VertexSystem& system, double k, double b, double gap,
                                const Vec3& n) noexcept {
+    assert(gap < 0);
     system.gradient += k * gap * b * n;
     system.hessian += (k * b * b) * n * n.transpose();
 }
@@ -36,6 +39,7 @@ struct Friction {
 /// @param limit_n what the cone holds. @param stiffness_n_m of the spring while it sticks.
 [[nodiscard]] inline Friction dry_friction(const Vec3& load, const Vec3& from_anchor,
                                            double limit_n, double stiffness_n_m) noexcept {
+    assert(load != Vec3::Zero());
     Friction f;
     f.normal = load / load.norm();
     f.slide = from_anchor - f.normal * f.normal.dot(from_anchor);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/rod/rod.h"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -173,6 +174,7 @@ double rod_energy(const Rod& rod, const RodState& state) noexcept {
 
 void rod_gradient(const Rod& rod, const RodState& state, std::vector<Vec3>& force,
                   std::vector<Vec3>& torque) noexcept {
+    assert(std::ssize(force) == rod.segments() + 1 && std::ssize(torque) == rod.segments());
     for (Vec3& f : force) f.setZero();
     for (Vec3& t : torque) t.setZero();
     for (int j = 0; j < rod.segments(); ++j) {

@@ -3,6 +3,7 @@
 #include "sim/suture/capstan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "sim/suture/arc_tangent.h"
@@ -16,6 +17,7 @@ void check(const ThreadFriction& friction) {
 }
 
 double exponential(double x) noexcept {
+    assert(std::abs(x) < 20);
     // A 64th of it by the series, then squared six times: 1e-14.
     const double y = x / 64;
     double sum = 1;
@@ -68,6 +70,7 @@ ThreadSlide slide_thread(const CapstanLaw& out, const CapstanLaw& back, double i
 
 void pull_along(const ThreadFriction& friction, std::span<const ChannelPiece> pieces, double in_n,
                 double out_n, std::span<double> pull_n) noexcept {
+    assert(pull_n.size() == pieces.size());
     // The pull where it would slide out, and where it would slide back, both from in_n on.
     const auto walk = [&](auto&& visit) {
         double most = in_n, least = in_n;

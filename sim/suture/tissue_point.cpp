@@ -3,6 +3,7 @@
 #include "sim/suture/tissue_point.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "sim/core/as_index.h"
@@ -96,6 +97,7 @@ TissueWalk walk_to_face(const SuturedTissue& tissue, const TissuePoint& from,
 TissuePoint across_face(const SuturedTissue& tissue, const TissuePoint& at, int face) noexcept {
     TissuePoint out;
     out.tet = tissue.surface.neighbours()[as_index(at.tet)][as_index(face)];
+    assert(out.tet >= 0 && tissue.state.tet_alive[as_index(out.tet)] != 0);
     const auto& from = corners(tissue.body, tissue.state, at.tet);
     const auto& to = corners(tissue.body, tissue.state, out.tet);
     for (size_t k = 0; k < 4; ++k) {
