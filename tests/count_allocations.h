@@ -29,6 +29,11 @@ void* operator new(std::size_t size) {
     if (void* place = std::malloc(size)) return place;
     throw std::bad_alloc();
 }
+// std::stable_partition asks so.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    ++placode::test::allocations;
+    return std::malloc(size);
+}
 void* operator new(std::size_t size, std::align_val_t align) {
     ++placode::test::allocations;
     const auto edge = static_cast<std::size_t>(align);
@@ -37,6 +42,7 @@ void* operator new(std::size_t size, std::align_val_t align) {
 }
 void operator delete(void* place) noexcept { std::free(place); }
 void operator delete(void* place, std::size_t) noexcept { std::free(place); }
+void operator delete(void* place, const std::nothrow_t&) noexcept { std::free(place); }
 void operator delete(void* place, std::align_val_t) noexcept { std::free(place); }
 void operator delete(void* place, std::size_t, std::align_val_t) noexcept { std::free(place); }
 
