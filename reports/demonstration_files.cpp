@@ -36,9 +36,9 @@ std::string digest_of(const DemonstrationArrays& arrays) {
     for (const std::vector<double>* numbers :
          {&arrays.observations.values, &arrays.next_observations.values, &arrays.actions.values,
           &arrays.rewards, &arrays.dones})
-        hash.addData(
-            QByteArray::fromRawData(reinterpret_cast<const char*>(numbers->data()),
-                                    static_cast<qsizetype>(numbers->size() * sizeof(double))));
+        hash.addData(QByteArray::fromRawData(
+            reinterpret_cast<const char*>(numbers->data()),
+            static_cast<qsizetype>(numbers->size()) * qsizetype{sizeof(double)}));
     return hash.result().toHex().toStdString();
 }
 

@@ -164,6 +164,7 @@ std::vector<int> split_by_person(const std::vector<Demonstration>& demonstration
                                                                 : 2;
     }
     std::vector<int> parts;
+    parts.reserve(demonstrations.size());
     for (const Demonstration& one : demonstrations)
         parts.push_back(static_cast<int>(persons.at(key(one.person))));
     return parts;

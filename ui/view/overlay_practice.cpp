@@ -85,6 +85,7 @@ std::pair<int, int> Overlay::listed_steps(double y, double room) {
     const int now = std::min(state_->practice.goal.index, count - 1);
     const double row = paint_->line_height(TextSize::kSmall) + 0.2 * unit_;
     std::vector<double> heights;
+    heights.reserve(static_cast<size_t>(count));
     for (int i = 0; i < count; ++i) heights.push_back(step_height(i, room));
     double height = std::accumulate(heights.begin(), heights.end(), 0.0);
     int first = 0, last = count;
