@@ -230,7 +230,7 @@ TEST(Sheet, ABrokenSheetIsRefusedByTheNumberOfItsTriangle) {
         "is degenerate, must be above 1e-6 of the squared longest edge");
     refused(
         [](SoftBodySpec& s) {
-            const auto& t = s.sheet[6].vertex;
+            const auto t = s.sheet[6].vertex;  // the list moves as it grows
             s.sheet.push_back({{t[0], t[1], 0}, Tissue::kSkin, kThickness});
             s.sheet.push_back({{t[0], t[1], 1}, Tissue::kSkin, kThickness});
         },
