@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Placode authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Learns to touch targets in a minute or two, with the cross-entropy method and numpy alone.
+"""Learns to go towards targets in three minutes, with the cross-entropy method and numpy alone.
 
 PYTHONPATH=build/release/python /usr/bin/python3 examples/learn_to_reach.py [GENERATIONS] [FILE]
 A policy is a matrix from what is seen to the speeds of the tip. FILE.placode: the last attempt,

@@ -22,7 +22,7 @@ from matplotlib import pyplot
 
 EXAMPLES = os.path.join(os.path.dirname(__file__), "..", "examples")
 # Task, demonstrations, epochs.
-CLONED = {"reach": ("Placode/Reach-v0", 8, 12), "trace": ("Placode/Trace-v0", 8, 12),
+CLONED = {"reach": ("Placode/Reach-v0", 8, 12), "trace": ("Placode/Trace-v0", 8, 30),
           "bite": ("Placode/Bite-v0", 14, 12)}
 REWARDS = re.compile(r"(?:generation|epoch) +(\d+): reward (-?[\d.]+)")
 RESULT = re.compile(r"epoch (\d+): points ([\d.]+) \(([\d.]+) to ([\d.]+)\), (\d+) of (\d+) passed")
