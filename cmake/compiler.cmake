@@ -21,7 +21,7 @@ endif()
 add_compile_definitions(QT_NO_KEYWORDS)
 if(PLACODE_SANITIZER)
   # CMake's RelWithDebInfo defines NDEBUG; preconditions are to be checked here.
-  # -O2: with -O1 Eigen's functions are not inlined, and a test takes thirty times as long. What checks every
+  # -O2: with -O1 Eigen's functions are not inlined, and tests take twice as long. What checks every
   # single access for null, its place and size is left out: the address sanitizer stops where that leads to.
   add_compile_options(-fsanitize=${PLACODE_SANITIZER} -fno-sanitize-recover=all
     -fno-sanitize=null,alignment,object-size,pointer-overflow,vptr -fno-omit-frame-pointer -O2 -g1 -UNDEBUG)

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Actions by chance in every task: never NaN, never a crash, no memory that grows, and every moment
-// can be saved and gone back to. A sample in the suite; 10^6 actions in the long run, which
-// `scripts/check.sh chance` makes with the address sanitizer.
+// can be saved and gone back to. A sample in the suite; 10^6 actions with PLACODE_LONG_TESTS.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

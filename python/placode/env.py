@@ -74,10 +74,8 @@ class FieldsUser:
     @staticmethod
     def open(task, fields, *, sparse=False, units="normalised", coarse=None, scene=None,
              lesions=4, **options):
-        options = checked(options)
-        sparse, lesions = (checked({"sparse": sparse, "lesions": lesions})[name]
-                           for name in ("sparse", "lesions"))
-        checked({"coarse": coarse, "scene": scene})
+        options = checked(dict(options, sparse=sparse, lesions=lesions, coarse=coarse, scene=scene))
+        coarse, scene = options.pop("coarse"), options.pop("scene")
         if units not in ("normalised", "absolute"):
             raise BadArgument(f'units: expected "normalised" or "absolute", found {units!r}')
         changes = dict(coarse or {})
@@ -85,7 +83,7 @@ class FieldsUser:
         if changes:
             options["scene_changes"] = json.dumps(changes, default=_plain)
         return _placode.Environment(fields, task_of(task), absolute=units == "absolute",
-                                    sparse=sparse, fields=lesions, **options)
+                                    fields=options.pop("lesions"), **options)
 
 
 class PlacodeEnv(_Env):

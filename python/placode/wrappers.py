@@ -67,7 +67,7 @@ class TimeLimit(_Restoring):
         if options and options.get("moment") is not None:
             inner, frames = self.env, self.unwrapped.frame_skip
             while inner is not self.unwrapped:
-                frames *= getattr(inner, "skip", 1) if isinstance(inner, FrameSkip) else 1
+                frames *= inner.skip if isinstance(inner, FrameSkip) else 1
                 inner = inner.env
             self._steps = round(1000 * self.unwrapped.time_s / frames)
         return observation, info

@@ -6,9 +6,9 @@
 // (contact_solve.cpp) and for spheres in verification scenes (verify/constrained_vertices.cpp), so
 // that what is verified is what is felt. Any one system of units.
 
-#include "sim/solver/vertex_step.h"
-
 #include <cassert>
+
+#include "sim/solver/vertex_step.h"
 
 namespace placode::sim {
 
