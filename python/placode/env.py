@@ -10,7 +10,7 @@ import numpy as np
 from . import _placode
 from .actions import ActionMap
 from .errors import BadArgument
-from .options import checked, seed_of
+from .options import checked, moment_of, seed_of
 from .spaces import Box, HAS_GYMNASIUM
 from .tasks import task_of
 
@@ -189,9 +189,7 @@ class PlacodeEnv(_Env):
 
     def restore(self, moment):
         """Back to a saved moment: everything goes on bit by bit as it did then."""
-        if not isinstance(moment, _placode.Moment):
-            raise BadArgument(f"restore: expected what save() returned, found {moment!r}")
-        return self.reset(options={"moment": moment})[0]
+        return self.reset(options={"moment": moment_of(moment)})[0]
 
     def close(self):
         self._picture = None

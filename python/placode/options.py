@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ._placode import Moment
 from .errors import BadArgument
 
 _MOST_SEED = 2**64 - 1
@@ -28,6 +29,13 @@ def whole(name, value, least, most=None):
 def seed_of(value):
     """A seed as an int."""
     return whole("seed", value, 0, _MOST_SEED)
+
+
+def moment_of(value):
+    """A saved moment, and nothing else: None would begin anew."""
+    if not isinstance(value, Moment):
+        raise BadArgument(f"restore: expected what save() returned, found {value!r}")
+    return value
 
 
 def _real(name, value):

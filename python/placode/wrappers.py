@@ -4,9 +4,8 @@
 
 import numpy as np
 
-from ._placode import Moment
 from .errors import BadArgument
-from .options import whole
+from .options import moment_of, whole
 from .spaces import Box, HAS_GYMNASIUM
 
 if HAS_GYMNASIUM:
@@ -44,9 +43,7 @@ class _Restoring(Wrapper):
     """A wrapper that goes back to a saved moment as it resets."""
 
     def restore(self, moment):
-        if not isinstance(moment, Moment):
-            raise BadArgument(f"restore: expected what save() returned, found {moment!r}")
-        return self.reset(options={"moment": moment})[0]
+        return self.reset(options={"moment": moment_of(moment)})[0]
 
 
 class TimeLimit(_Restoring):
