@@ -166,6 +166,8 @@ std::vector<SpreadRay> thermal_spread(const Scene& scene, const State& state) {
     const auto& contour = scene.geometry.planned_contour;
     const size_t n = contour.size();
     if (state.heat.empty() || n < 3) return rays;
+    // Without a kerf there are no rays; environments ask twice a second.
+    if (std::ranges::all_of(state.gone_by_heat, [](auto gone) { return gone == 0; })) return rays;
     const SurfaceLocator surface(scene);
     double area = 0;
     for (size_t i = 0; i < n; ++i) {
