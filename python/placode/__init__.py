@@ -8,10 +8,10 @@ from ._placode import VERSION as __version__
 from .env import PlacodeEnv, shared_fields
 from .errors import PlacodeError
 from .spaces import HAS_GYMNASIUM
-from .tasks import COARSE, TASKS, task_of
+from .tasks import COARSE, COARSEST, TASKS, task_of
 from .vector import AutoresetMode, PlacodeVectorEnv
 
-__all__ = ["AutoresetMode", "COARSE", "Fields", "HAS_GYMNASIUM", "Moment", "PlacodeEnv",
+__all__ = ["AutoresetMode", "COARSE", "COARSEST", "Fields", "HAS_GYMNASIUM", "Moment", "PlacodeEnv",
            "PlacodeError", "PlacodeVectorEnv", "TASKS", "errors", "make", "make_vec", "policies",
            "shared_fields", "spaces", "task_of", "wrappers"]
 

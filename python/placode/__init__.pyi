@@ -11,6 +11,7 @@ from .vector import AutoresetMode as AutoresetMode, PlacodeVectorEnv as PlacodeV
 __version__: str
 HAS_GYMNASIUM: bool
 COARSE: dict[str, Any]
+COARSEST: dict[str, Any]
 TASKS: dict[str, str]
 
 def task_of(name: str) -> str: ...

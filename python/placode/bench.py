@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the package costs; `placodectl bench environment` runs it: TASK SCENE_JSON RUNS.
 
-The same 2 s of the scripted expert at work as the C++ side measures, in steps of 20 frames.
+The same 2 s of the scripted expert at work as the C++ side measures, in steps of 20 frames; once
+more with a picture after every step where there is OpenGL.
 """
 
 import json
@@ -54,19 +55,33 @@ def call_us(env):
     return 1e6 * max(0.0, statistics.median(both)) / 100
 
 
-def main(task, scene, runs):
-    env = placode.make(task, units="absolute", lesions=1, frame_skip=FRAMES,
-                       scene=json.loads(scene) if scene else None)
-    moment, actions = work(env)
+def frames_per_s(env, moment, actions, runs):
+    """Median over the runs; with a picture after every step where the environment draws."""
     times = []
     for _ in range(runs):
         env.restore(moment)
+        env.render()
         start = time.perf_counter()
         for action in actions:
             env.step(action)
+            env.render()
         times.append(time.perf_counter() - start)
-    print(json.dumps({"frames_per_s": len(actions) * FRAMES / statistics.median(times),
-                      "call_us": call_us(env)}))
+    return len(actions) * FRAMES / statistics.median(times)
+
+
+def main(task, scene, runs):
+    options = {"units": "absolute", "lesions": 1, "frame_skip": FRAMES,
+               "scene": json.loads(scene) if scene else None}
+    env = placode.make(task, **options)
+    moment, actions = work(env)
+    figures = {"frames_per_s": frames_per_s(env, moment, actions, runs), "call_us": call_us(env)}
+    drawing = placode.make(task, render_mode="rgb_array", **options)
+    try:
+        figures["pictured_frames_per_s"] = frames_per_s(drawing, moment, actions, min(runs, 3))
+        figures["picture"] = drawing.render().shape[1::-1]
+    except placode.PlacodeError:
+        pass  # no OpenGL here
+    print(json.dumps(figures))
 
 
 if __name__ == "__main__":

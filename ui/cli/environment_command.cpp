@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct EnvironmentOptions {
     bool quick = false, policies = false;
-    std::string out, python = "/usr/bin/python3", task;
+    std::string out, python = "/usr/bin/python3", task, scene;
     int attempts = 3;
 };
 
@@ -30,33 +30,58 @@ constexpr const char* kTasks[] = {
     "two_handed_traction", "diathermy_ring_small", "scissors_resection",
     "suture_bite",         "suture_run",           "sb_dissection"};
 
-/// As placode.COARSE of the Python package.
+/// As placode.COARSE and COARSEST of the Python package.
 constexpr const char* kCoarse =
     R"({"edge_ring_m":0.0010,"edge_placode_m":0.0014,"edge_outer_m":0.003,"solver":{"substeps":2}})";
+constexpr const char* kCoarsest =
+    R"({"edge_ring_m":0.0016,"edge_placode_m":0.0022,"edge_outer_m":0.0036,"solver":{"substeps":2}})";
+constexpr int kStepFrames = 20;
 
 std::vector<bench::EnvironmentCase> cases(const EnvironmentOptions& options) {
-    if (!options.task.empty()) return {{options.task, options.task, ""}};
-    std::vector<bench::EnvironmentCase> all{
-        {"coarse field", "touch_targets", kCoarse},
-        {"coarse field, ring", "diathermy_ring_small", kCoarse}};
+    if (!options.task.empty())
+        return {
+            {options.scene.empty() ? "as published" : options.scene, options.task, options.scene}};
+    std::vector<bench::EnvironmentCase> all{{"coarsest", "touch_targets", kCoarsest},
+                                            {"coarse", "touch_targets", kCoarse},
+                                            {"coarse", "diathermy_ring_small", kCoarse}};
     for (const char* task : kTasks) all.push_back({"as published", task, ""});
-    if (options.quick) all.resize(2);
+    if (options.quick) all.resize(3);
     return all;
 }
 
-/// What the Python package measures of itself, as JSON; null where it cannot be run.
-Json python_figures(const EnvironmentOptions& options, const bench::EnvironmentCase& what) {
+/// What the Python package measures of itself, by so many processes at once; a line of JSON each.
+/// Empty where it cannot be run.
+std::vector<Json> python_figures(const EnvironmentOptions& options,
+                                 const bench::EnvironmentCase& what, int processes) {
     const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
     const std::string path =
         (bin / "../python").string() + ":" + (bin / "../lib/python3/dist-packages").string();
-    const std::string command = "PYTHONPATH='" + path + "' '" + options.python +
-                                "' -m placode.bench " + what.task + " '" + what.scene_changes_json +
-                                "' " + (options.quick ? "3" : "9") + " 2>/dev/null";
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
-    std::string text;
-    char part[4096];
-    while (pipe && std::fgets(part, sizeof part, pipe.get()) != nullptr) text += part;
-    return Json::parse(text, nullptr, false).is_object() ? Json::parse(text) : Json();
+    const std::string one = "'" + options.python + "' -m placode.bench " + what.task + " '" +
+                            what.scene_changes_json + "' " + (options.quick ? "3" : "9") +
+                            " 2>/dev/null";
+    std::string command = "export PYTHONPATH='" + path + "'";
+    for (int i = 0; i < processes; ++i) command += (i == 0 ? "; " : "& ") + one;
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen((command + "; wait").c_str(), "r"),
+                                                     ::pclose);
+    std::vector<Json> found;
+    char line[4096];
+    while (pipe && std::fgets(line, sizeof line, pipe.get()) != nullptr) {
+        const Json figures = Json::parse(line, nullptr, false);
+        if (figures.is_object()) found.push_back(figures);
+    }
+    return found;
+}
+
+/// What one Python process and two at once reach.
+Json python_row(const EnvironmentOptions& options, const bench::EnvironmentCase& what) {
+    const std::vector<Json> one = python_figures(options, what, 1);
+    if (one.empty()) return Json::object();
+    Json row = one.front();
+    const std::vector<Json> two = python_figures(options, what, 2);
+    if (two.size() == 2)
+        row["two_processes_frames_per_s"] =
+            two[0].value("frames_per_s", 0.0) + two[1].value("frames_per_s", 0.0);
+    return row;
 }
 
 Json to_json(const bench::EnvironmentRow& row, const Json& python) {
@@ -68,6 +93,11 @@ Json to_json(const bench::EnvironmentRow& row, const Json& python) {
             {"environment_frames_per_s", row.environment_hz},
             {"python_frames_per_s", python.value("frames_per_s", 0.0)},
             {"python_call_us", python.value("call_us", 0.0)},
+            {"python_call_share",
+             python.value("call_us", 0.0) * 1e-6 * row.environment_hz / kStepFrames},
+            {"pictured_frames_per_s", python.value("pictured_frames_per_s", 0.0)},
+            {"picture", python.value("picture", Json())},
+            {"two_processes_frames_per_s", python.value("two_processes_frames_per_s", 0.0)},
             {"reset_ms", row.reset_ms},
             {"save_ms", row.save_ms},
             {"field_mib", row.field_mib},
@@ -80,16 +110,21 @@ std::vector<std::string> cells_of(const Json& row) {
     const auto number = [&](const char* key, int decimals) {
         return fixed(row[key].get<double>(), decimals);
     };
-    const bool python = row["python_frames_per_s"].get<double>() > 0;
+    const auto known = [&](const char* key, int decimals) {
+        return row[key].get<double>() > 0 ? number(key, decimals) : "-";
+    };
+    const double share = row["python_call_share"].get<double>();
     return {row["task"],
             row["case"],
             std::to_string(row["tets"].get<int>()),
             std::to_string(row["substeps"].get<int>()),
             number("physics_frames_per_s", 0),
             number("environment_frames_per_s", 0),
-            python ? number("python_frames_per_s", 0) : "-",
-            python ? number("python_call_us", 1) : "-",
             fixed(row["environment_frames_per_s"].get<double>() / 1000, 1),
+            known("python_frames_per_s", 0),
+            share > 0 ? fixed(100 * share, 1) : "-",
+            known("two_processes_frames_per_s", 0),
+            known("pictured_frames_per_s", 0),
             number("reset_ms", 2),
             number("field_mib", 1),
             number("environment_mib", 1),
@@ -120,11 +155,13 @@ using Rows = std::vector<std::vector<std::string>>;
 
 Rows speed(const EnvironmentOptions& options, Json& json) {
     Rows rows{{"task", "field", "tets", "substeps", "physics alone, frames/s",
-               "environment, frames/s", "from Python, frames/s", "Python call, us", "x real time",
-               "reset, ms", "field, MiB", "environment, MiB", "field built in, s"}};
+               "environment, frames/s", "x real time", "from Python, frames/s",
+               "Python's part of a step, %", "two processes, frames/s",
+               "with a picture a step, frames/s", "reset, ms", "field, MiB", "environment, MiB",
+               "field built in, s"}};
     for (const bench::EnvironmentCase& what : cases(options)) {
         const Json row = to_json(bench::measure_environment(what, options.quick ? 3 : 9),
-                                 python_figures(options, what));
+                                 python_row(options, what));
         json["rows"].push_back(row);
         rows.push_back(cells_of(row));
         std::cerr << row["task"].get<std::string>() << ": "
@@ -184,12 +221,13 @@ int run(const Context& context, const EnvironmentOptions& options) {
                            {"shared_mib", sharing.shared_mib},
                            {"apart_mib", sharing.apart_mib}};
         text = options.out.empty() ? table(rows) : markdown(rows);
-        text += "\n" + std::to_string(sharing.environments) + " environments of one field take " +
-                fixed(sharing.shared_mib, 0) + " MiB; with a field each " +
-                fixed(sharing.apart_mib, 0) + " MiB (" + cases(options).front().name + ").\n" +
-                where(json["machine"]) +
-                "; one thread, 2 s of the scripted expert at work in steps of 20 frames, physics "
-                "alone and environment in turns, medians.\n";
+        text +=
+            "\n" + std::to_string(sharing.environments) + " environments of one field take " +
+            fixed(sharing.shared_mib, 0) + " MiB; with a field each " +
+            fixed(sharing.apart_mib, 0) + " MiB (" + cases(options).front().name + ").\n" +
+            where(json["machine"]) +
+            "; one thread, 2 s of the scripted expert at work in steps of 20 frames (1 ms each), "
+            "physics alone and environment in turns, medians; pictures of 320 x 240.\n";
     }
     if (!options.out.empty())
         write_files(options.out, options.policies ? "environment_policies" : "environment_speed",
@@ -212,6 +250,8 @@ void add_environment_command(CLI::App& bench, Context& context) {
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     command->add_option("--task", options->task, "This task only");
+    command->add_option("--scene", options->scene, "With --task: changes to its scene, as JSON")
+        ->needs("--task");
     command->add_option("--python", options->python, "Interpreter that has the package placode")
         ->capture_default_str();
     command->add_option("--out", options->out, "Folder for a table (Markdown) and JSON");
