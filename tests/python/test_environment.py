@@ -16,7 +16,7 @@ import numpy as np
 import placode
 from placode import errors, policies, wrappers
 
-# A field that a test can afford: about 1,500 tetrahedra, two substeps.
+# A field that a test can afford.
 TINY = {"edge_ring_m": 0.0014, "edge_placode_m": 0.0018, "edge_outer_m": 0.0032,
         "solver": {"substeps": 2}}
 
@@ -448,9 +448,11 @@ class Pictures(unittest.TestCase):
 class Examples(unittest.TestCase):
     """The scripts of docs/environment.md, in short form."""
 
+    ROOT = os.path.join(os.path.dirname(__file__), "..", "..")
+
     def learn(self, script, arguments, expected, task):
-        """The output has what is expected, and the attempt can be read."""
-        script = os.path.join(os.path.dirname(__file__), "..", "..", "examples", script)
+        """The output has what is expected, and the attempt can be read and replays identically."""
+        script = os.path.join(self.ROOT, "examples", script)
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "last.placode")
             done = subprocess.run([sys.executable, script, *arguments, path], capture_output=True,
@@ -459,6 +461,18 @@ class Examples(unittest.TestCase):
             metrics = subprocess.run([os.environ["PLACODECTL"], "--json", "metrics", path],
                                      capture_output=True, text=True, check=True).stdout
             self.assertIn(task, metrics)
+            viewer = os.path.join(os.path.dirname(os.environ["PLACODECTL"]), "placode-sim")
+            shown = subprocess.run([viewer, "--device", "play:" + path, "--headless", "--threads", "1"],
+                                   capture_output=True, text=True, check=True).stdout
+            self.assertIn("replay: identical", shown)
+
+    def test_the_script_in_the_page(self):
+        with open(os.path.join(self.ROOT, "examples", "learn_from_neighbours.py"), encoding="utf-8") as file:
+            script = file.read()
+        with open(os.path.join(self.ROOT, "docs", "environment.md"), encoding="utf-8") as file:
+            self.assertIn("```python\n" + script[script.index("import sys"):] + "```", file.read())
+        self.learn("learn_from_neighbours.py", ["1"], "(lesion [0-9]+: reward [0-9.]+, [0-9]+ points.*\n){5}",
+                   "touch_targets")
 
     def test_learns_by_reward(self):
         self.learn("learn_to_reach.py", ["1"], "generation +1: reward -?[0-9]", "touch_targets")
