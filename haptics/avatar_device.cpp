@@ -10,7 +10,7 @@
 #include <cstring>
 
 #include "haptics/arm_hands.h"
-#include "haptics/rcm.h"
+#include "haptics/rcm_device_map.h"
 #include "haptics/real_time.h"
 #include "haptics/serial_line.h"
 

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "haptics/rcm.h"
+#include "haptics/rcm_device_map.h"
 #include "tests/count_allocations.h"
 #include "tests/device_session.h"
 #include "tests/stand_in/avatar_port.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/rcm.h"
+#include "haptics/rcm_device_map.h"
 
 #include <cmath>
 
