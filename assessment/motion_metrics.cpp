@@ -82,6 +82,21 @@ double first_in_view_s(const sim::Recording& recording, const std::vector<size_t
     return recording.samples.empty() ? 0 : recording.samples.front().time_s;
 }
 
+double task_time_s(const sim::Recording& recording, const std::vector<size_t>& tools) {
+    const double end_s = std::max(recording.end.duration_s, recording.samples.back().time_s);
+    return std::max(0.0, end_s - first_in_view_s(recording, tools));
+}
+
+double out_of_view_s(const sim::Recording& recording, const std::vector<size_t>& tools) {
+    double hidden_s = 0;
+    for (const sim::Sample& sample : recording.samples) {
+        for (const size_t tool : tools) {
+            if (sample.tools[tool].in_view == 0) hidden_s += recording.header.sample_s;
+        }
+    }
+    return hidden_s;
+}
+
 struct Smoothness {
     std::vector<double> sparc, ldlj, ldlj_speed;
 };
@@ -255,11 +270,18 @@ double task_start_s(const sim::Recording& recording) {
     return first_in_view_s(recording, instruments(recording));
 }
 
+void add_time_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
+    if (recording.samples.empty()) return;
+    const std::vector<size_t> tools = instruments(recording);
+    out.push_back({"task_time_s", task_time_s(recording, tools)});
+    if (recording.samples.size() > 1 && !tools.empty())
+        out.push_back({"out_of_view_s", out_of_view_s(recording, tools)});
+}
+
 void add_motion_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
     if (recording.samples.empty()) return;
     const std::vector<size_t> tools = instruments(recording);
-    const double end_s = std::max(recording.end.duration_s, recording.samples.back().time_s);
-    const double time_s = std::max(0.0, end_s - first_in_view_s(recording, tools));
+    const double time_s = task_time_s(recording, tools);
     out.push_back({"task_time_s", time_s});
 
     std::vector<Track> tracks;
@@ -290,13 +312,7 @@ void add_motion_metrics(const sim::Recording& recording, std::vector<Metric>& ou
     if (!smoothness.ldlj_speed.empty())
         out.push_back({"ldlj_speed", median(smoothness.ldlj_speed)});
 
-    double hidden_s = 0;
-    for (const sim::Sample& sample : recording.samples) {
-        for (const size_t tool : tools) {
-            if (sample.tools[tool].in_view == 0) hidden_s += recording.header.sample_s;
-        }
-    }
-    out.push_back({"out_of_view_s", hidden_s});
+    out.push_back({"out_of_view_s", out_of_view_s(recording, tools)});
 }
 
 }  // namespace placode::assessment

@@ -47,6 +47,8 @@ namespace placode::assessment {
 /// When the first instrument came into view: time is counted from here [s].
 [[nodiscard]] double task_start_s(const sim::Recording& recording);
 
+/// Of these metrics those that need no filtered track: task_time_s, out_of_view_s.
+void add_time_metrics(const sim::Recording& recording, std::vector<Metric>& out);
 /// Appends what the recording allows. Never throws on odd data.
 void add_motion_metrics(const sim::Recording& recording, std::vector<Metric>& out);
 

@@ -166,7 +166,14 @@ void Environment::finish_attempt() {
 
 void Environment::judge_now() {
     judged_ = judge_unfinished(field_->task.rubric, book_.recording(),
-                               frames_->entries_if_closed(*state_), state_->time_s);
+                               frames_->entries_if_closed(*state_), state_->time_s, false);
+}
+
+Judgement Environment::judge_in_full() {
+    need_begun();
+    if (ended()) return judged_;
+    return judge_unfinished(field_->task.rubric, book_.recording(),
+                            frames_->entries_if_closed(*state_), state_->time_s, true);
 }
 
 haptics::Perception Environment::look() {

@@ -111,8 +111,11 @@ class Environment {
     [[nodiscard]] std::span<const sim::Event> events() const;
     /// Of every frame so far, where the option record keeps them.
     [[nodiscard]] const std::vector<sim::Input>& inputs() const { return book_.recording().inputs; }
-    /// The last time that the score was asked for; at the end that of the attempt.
+    /// The last time that the score was asked for; at the end that of the attempt. Before it with
+    /// the metrics that the rubric looks at only.
     [[nodiscard]] const Judgement& judged() const { return judged_; }
+    /// The score now, with every metric. Rewards go on from judged().
+    [[nodiscard]] Judgement judge_in_full();
     /// The whole attempt, when it is over. Throws when it is not or no inputs were kept.
     [[nodiscard]] const sim::Recording& recording() const;
 

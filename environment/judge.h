@@ -19,9 +19,11 @@ struct Judgement {
 
 /// What `recording` would score if the attempt had ended at `time_s` with `closing` as its last
 /// entries. `recording` is as before afterwards.
+/// @param all every metric, else those that `rubric` looks at: a fraction of the time.
 [[nodiscard]] Judgement judge_unfinished(const assessment::Rubric& rubric,
                                          sim::Recording& recording,
-                                         std::span<const sim::Event> closing, double time_s);
+                                         std::span<const sim::Event> closing, double time_s,
+                                         bool all);
 
 /// Of a recording that has its end.
 [[nodiscard]] Judgement judge_finished(const assessment::Rubric& rubric,

@@ -202,7 +202,7 @@ PLACODE_API const char* placode_event_name(int32_t kind);
  * a person would have passed. */
 PLACODE_API placode_status placode_score(placode_environment* environment, double* points,
                                          int32_t* passed);
-/* Metrics by name at that time, and what the rubric took points for, as one JSON object:
+/* The score now, with every metric by name and what the rubric took points for, as one JSON object:
  * {"points", "verdict", "metrics": {...}, "reasons": [{"item", "text", "points", "critical"}]}. */
 PLACODE_API placode_status placode_score_json(placode_environment* environment, const char** json);
 

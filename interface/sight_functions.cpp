@@ -132,7 +132,7 @@ placode_status placode_score_json(placode_environment* e, const char** json) {
     if (e == nullptr) return PLACODE_BAD_ARGUMENT;
     return guarded(e->error, [&] {
         if (json == nullptr) refuse("nowhere to write the score: a null pointer");
-        e->text = score_json(e->environment->judged());
+        e->text = score_json(e->environment->judge_in_full());
         *json = e->text.c_str();
     });
 }

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <set>
 
+#include "assessment/wanted_metrics.h"
 #include "curriculum/attempt_runner.h"
 #include "curriculum/definitions.h"
 #include "environment/expert.h"
@@ -49,6 +50,38 @@ StepOutcome perform(Environment& environment, double& score_parts) {
         score_parts += outcome.score_part;
     }
     return outcome;
+}
+
+TEST(Environment, AScoreAskedForOnTheWayLeavesOutOnlyWhatNobodyWants) {
+    const auto shared = fields();
+    for (const char* task : {"touch_targets", "two_handed_traction", "diathermy_ring_small"}) {
+        EnvironmentOptions options = coarse();
+        options.units = ActionUnits::kAbsolute;
+        options.record = true;
+        options.judge_every_s = 0.5;
+        Environment environment(shared, task, options);
+        environment.reset(1);
+        Expert expert(environment, "expert", 1);
+        std::vector<double> action(environment.tools() * kActionSize);
+        for (int i = 0; i < 400; ++i) {
+            (void)expert.act(environment, 10, action);
+            (void)environment.step(action, 10);
+            if (environment.state().time_s != environment.judged().at_s) continue;
+            const Judgement full = environment.judge_in_full();
+            EXPECT_EQ(full.score.points, environment.judged().score.points) << task;
+            EXPECT_EQ(full.score.reasons.size(), environment.judged().score.reasons.size()) << task;
+            EXPECT_GT(full.metrics.values.size(), environment.judged().metrics.values.size());
+        }
+        (void)environment.step(action, 10, true);
+        const sim::Recording& recording = environment.recording();
+        const assessment::MetricSet all = assessment::compute_metrics(recording);
+        EXPECT_EQ(environment.judged().metrics.values.size(), all.values.size());
+        for (const assessment::MetricDefinition& definition : assessment::metric_definitions()) {
+            const auto some = assessment::compute_metrics(recording, {{definition.id}});
+            EXPECT_EQ(some.find(definition.id), all.find(definition.id))
+                << task << ", " << definition.id;
+        }
+    }
 }
 
 TEST(Environment, AnExpertPassesAndItsRecordingReplaysWithTheSameScore) {
