@@ -55,5 +55,22 @@ TEST_F(UserSettingsTest, AFolderThatCannotBeWrittenCostsOnlyTheMemory) {
     EXPECT_FALSE(load_window_size());
 }
 
+TEST_F(UserSettingsTest, PicturesGoWhereTheDesktopKeepsThem) {
+    ::setenv("HOME", folder_.c_str(), 1);
+    EXPECT_EQ(pictures_folder(), folder_);  // no desktop said anything
+    std::filesystem::create_directories(folder_ / "Obrazy");
+    const auto say = [&](const std::string& line) {
+        std::ofstream(folder_ / "user-dirs.dirs") << "# comment\n" << line << '\n';
+        return pictures_folder();
+    };
+    EXPECT_EQ(say("XDG_PICTURES_DIR=\"$HOME/Obrazy\""), folder_ / "Obrazy");
+    EXPECT_EQ(say("XDG_PICTURES_DIR=\"" + (folder_ / "Obrazy").string() + "\""),
+              folder_ / "Obrazy");
+    for (const char* other :
+         {"XDG_PICTURES_DIR=\"$HOME/gone\"", "XDG_PICTURES_DIR=\"",
+          "XDG_PICTURES_DIR=", "XDG_PICTURES_DIR=\"Obrazy\"", "XDG_MUSIC_DIR=\"$HOME/Obrazy\""})
+        EXPECT_EQ(say(other), folder_) << other;
+}
+
 }  // namespace THIS_TEST
 }  // namespace placode::ui

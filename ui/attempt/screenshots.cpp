@@ -4,14 +4,27 @@
 
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
+
+#include "ui/attempt/user_settings.h"
 
 namespace placode::ui {
 namespace {
 
-std::string name(const char* prefix, double time_s) {
+std::string name(double time_s) {
     char text[64];
-    std::snprintf(text, sizeof text, "%s_%07.0f_ms.png", prefix, 1000 * time_s);
+    std::snprintf(text, sizeof text, "placode_%07.0f_ms.png", 1000 * time_s);
+    return text;
+}
+
+/// A name that no other attempt's picture has: day and time of the clock on the wall.
+std::string dated_name() {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    ::localtime_r(&now, &local);
+    char text[64];
+    std::strftime(text, sizeof text, "placode_%Y-%m-%d_%H%M%S.png", &local);
     return text;
 }
 
@@ -28,15 +41,15 @@ Screenshots::Screenshots(const Arguments& arguments)
 }
 
 void Screenshots::save(view::FetoscopeView& view, double time_s) {
-    view.save_png((std::filesystem::path(folder_) / name("placode", time_s)).string());
+    view.save_png((std::filesystem::path(folder_) / name(time_s)).string());
     ++saved_;
     next_s_ = (std::floor(time_s / every_s_ + 1e-9) + 1) * every_s_;
 }
 
-std::string Screenshots::save_extra(view::FetoscopeView& view, double time_s) {
+std::string Screenshots::save_extra(view::FetoscopeView& view) {
     const std::filesystem::path folder =
-        folder_.empty() ? std::filesystem::path(".") : std::filesystem::path(folder_);
-    const std::string path = (folder / name("placode_shot", time_s)).string();
+        folder_.empty() ? pictures_folder() : std::filesystem::path(folder_);
+    const std::string path = (folder / dated_name()).string();
     view.save_png(path);
     ++saved_;
     return path;

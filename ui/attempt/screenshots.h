@@ -19,8 +19,8 @@ class Screenshots {
     [[nodiscard]] bool due(double time_s) const { return wanted() && time_s >= next_s_; }
     /// Saves what `view` drew last. Throws ViewError.
     void save(view::FetoscopeView& view, double time_s);
-    /// Saves on demand (F12), in the folder or here; returns the path.
-    std::string save_extra(view::FetoscopeView& view, double time_s);
+    /// Saves on demand (F12), in the folder or among the user's pictures; returns the path.
+    std::string save_extra(view::FetoscopeView& view);
     [[nodiscard]] int saved() const { return saved_; }
     [[nodiscard]] const std::string& folder() const { return folder_; }
 

@@ -5,20 +5,45 @@
 #include <cstdlib>
 #include <fstream>
 #include <locale>
+#include <string>
 #include <system_error>
 
 #include "ui/attempt/arguments.h"
 
 namespace placode::ui {
 
-std::filesystem::path settings_file(std::string_view name) {
+namespace {
+
+std::filesystem::path home() {
+    const char* set = std::getenv("HOME");
+    return set != nullptr && *set != '\0' ? set : ".";
+}
+
+std::filesystem::path config_folder() {
     const char* set = std::getenv("XDG_CONFIG_HOME");
-    const char* home = std::getenv("HOME");
-    const std::filesystem::path folder =
-        set != nullptr && *set != '\0'
-            ? std::filesystem::path(set)
-            : std::filesystem::path(home != nullptr ? home : ".") / ".config";
-    return folder / "placode" / name;
+    return set != nullptr && *set != '\0' ? std::filesystem::path(set) : home() / ".config";
+}
+
+}  // namespace
+
+std::filesystem::path settings_file(std::string_view name) {
+    return config_folder() / "placode" / name;
+}
+
+std::filesystem::path pictures_folder() {
+    constexpr std::string_view kKey = "XDG_PICTURES_DIR=\"", kHome = "$HOME/";
+    std::ifstream in(config_folder() / "user-dirs.dirs");
+    for (std::string line; std::getline(in, line);) {
+        const size_t end = line.rfind('"');
+        if (!line.starts_with(kKey) || end < kKey.size()) continue;
+        const std::string named = line.substr(kKey.size(), end - kKey.size());
+        const std::filesystem::path folder = named.starts_with(kHome)
+                                                 ? home() / named.substr(kHome.size())
+                                                 : std::filesystem::path(named);
+        std::error_code error;
+        if (folder.is_absolute() && std::filesystem::is_directory(folder, error)) return folder;
+    }
+    return home();
 }
 
 std::optional<WindowSize> load_window_size() {

@@ -13,6 +13,10 @@ namespace placode::ui {
 /// Path of a file of settings; its folder need not exist.
 [[nodiscard]] std::filesystem::path settings_file(std::string_view name);
 
+/// Where the desktop keeps the user's pictures (XDG_PICTURES_DIR of user-dirs.dirs); the home
+/// folder where it names none that is there.
+[[nodiscard]] std::filesystem::path pictures_folder();
+
 struct WindowSize {
     int width = 0, height = 0;  ///< Screen coordinates, as the desktop gives them.
 };

@@ -17,6 +17,7 @@
 #include "ui/attempt/tuning_panel.h"
 #include "ui/attempt/user_settings.h"
 #include "ui/view/fetoscope_view.h"
+#include "ui/view/strings.h"
 
 namespace placode::ui {
 namespace {
@@ -24,6 +25,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kTooSlow = "COMPUTER TOO SLOW, does not count";
+constexpr int kReadPathS = 6;
 constexpr double kReadHelpS = 4;  // the two lines of it that matter beside a script
 
 /// The size that the last one who practised here left. Exams and studies begin alike for everybody.
@@ -234,7 +236,7 @@ class WindowSession {
         runner_.picture_drawn();
         if (snapshot.x.empty()) return;
         if (shots_.due(snapshot.time_s)) shots_.save(view_, snapshot.time_s);
-        if (screenshot_asked_) extra_screenshot(snapshot.time_s);
+        if (screenshot_asked_) extra_screenshot();
     }
 
     /// Says once how a lens is wiped that lets little through; a script wipes it.
@@ -250,11 +252,11 @@ class WindowSession {
         notice_until_ = Clock::now() + std::chrono::seconds(seconds);
     }
 
-    void extra_screenshot(double time_s) {
+    void extra_screenshot() {
         screenshot_asked_ = false;
         try {
-            shots_.save_extra(view_, time_s);
-            note("Screenshot saved");
+            const std::string path = shots_.save_extra(view_);
+            note(view::translated("Screenshot saved", overlay_.language) + ": " + path, kReadPathS);
         } catch (const view::ViewError&) {
             note("Screenshot could not be saved");
         }
