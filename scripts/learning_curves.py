@@ -4,7 +4,7 @@
 """Runs the examples that learn and writes what they reached as a table and a figure.
 
 PYTHONPATH=build/release/python /usr/bin/python3 scripts/learning_curves.py FOLDER
-Takes ten minutes. Needs python3-matplotlib for the figure. FOLDER gets learning.md and learning.svg.
+Takes a quarter of an hour. Needs python3-matplotlib for the figure. FOLDER gets learning.md and learning.svg.
 """
 import datetime
 import os
@@ -22,8 +22,8 @@ from matplotlib import pyplot
 
 EXAMPLES = os.path.join(os.path.dirname(__file__), "..", "examples")
 # Task, demonstrations, epochs.
-CLONED = {"reach": ("Placode/Reach-v0", 8, 12), "trace": ("Placode/Trace-v0", 8, 30),
-          "bite": ("Placode/Bite-v0", 14, 12)}
+CLONED = {"reach": ("Placode/Reach-v0", 8, 12), "trace": ("Placode/Trace-v0", 16, 30),
+          "bite": ("Placode/Bite-v0", 24, 12)}
 REWARDS = re.compile(r"(?:generation|epoch) +(\d+): reward (-?[\d.]+)")
 RESULT = re.compile(r"epoch (\d+): points ([\d.]+) \(([\d.]+) to ([\d.]+)\), (\d+) of (\d+) passed")
 
@@ -71,10 +71,10 @@ def main(folder):
                     "| task | from | reached | passed | seconds of the processor |\n|---|---|---|---|---|\n" +
                     "\n".join(lines) +
                     "\n\nThe coarse field. Reach: mean reward of the attempts with seeds 1 and 2. The others "
-                    "(`examples/learn_from_expert.py`): demonstrations of the scripted expert with the seeds from 1 on; "
-                    "the curve is the mean reward of attempts with seeds 100 to 102, which choose the epoch; median, "
-                    "least and most of ten attempts with seeds 200 to 209. All of it runs again with the same figures; "
-                    "the times do not.\n")
+                    "(`examples/learn_from_expert.py`): demonstrations of the scripted expert on lesions 1, 2, 3 and so "
+                    "on; the curve is the mean reward of attempts on lesions 100 to 102, which choose the epoch; "
+                    "median, least and most of ten attempts on lesions 200 to 209, of which nothing was seen before. "
+                    "All of it runs again with the same figures; the times do not.\n")
 
 
 main(sys.argv[1])
