@@ -15,7 +15,7 @@ install(FILES packaging/completion.bash RENAME placodectl
 install(PROGRAMS packaging/scheduled-backup DESTINATION lib/placode)
 install(FILES packaging/placode-backup.service packaging/placode-backup.timer DESTINATION lib/systemd/user)
 install(PROGRAMS examples/check_seal.py DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode/examples)
-install(FILES README.md CHANGELOG.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode)
+install(FILES README.md CHANGELOG.md docs/web.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode)
 # Where they work: only a package for the whole system has them.
 install(FILES packaging/70-placode.rules DESTINATION lib/udev/rules.d)
 

@@ -15,8 +15,8 @@ namespace {
                       "Share of the marked volume that burned, tore or was washed away as crumbs."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
-        "Time with the tip of an instrument inside tissue that it was pushed through, "
-        "spells over 0.3 s; a tip in a hole that was cut or torn is not stuck."),
+        "Time with the tip of an instrument inside tissue that it was pushed through; "
+        "only periods longer than 0.3 s; a tip in a hole that was cut or torn is not stuck."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Times that the tip of an instrument was inside tissue that it was pushed "
                       "through for over 0.3 s."),
@@ -86,8 +86,8 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition", "Largest force of an instrument on tissue."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times the force was above the scene's limit."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Time with the force above the scene's limit."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Rest volume of elements torn by stretch."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Rest volume of skin elements torn by stretch."),
+    QT_TRANSLATE_NOOP("MetricDefinition", "Undeformed volume of elements torn by stretch."),
+    QT_TRANSLATE_NOOP("MetricDefinition", "Undeformed volume of skin elements torn by stretch."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
         "Sectors of 5 degrees in which no tissue leads from the placode to the skin."),
@@ -95,7 +95,7 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition", "Area of snips that went mostly through skin."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that scissors closed on tissue."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Loose pieces drawn back to the port."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Rest volume of these pieces."),
+    QT_TRANSLATE_NOOP("MetricDefinition", "Undeformed volume of these pieces."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Share of the marked volume that was drawn out of the field in pieces; what "
                       "burned, tore or was washed away does not count."),
@@ -108,7 +108,7 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition", "Pulls above the tissue's limit for over 0.3 s."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Largest pull of held tissue on the jaws."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Way of the instrument tips, filtered at 10 Hz, 100 Hz."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Way of the tips along their own shafts."),
+    QT_TRANSLATE_NOOP("MetricDefinition", "Path of the tips along their own shafts."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Total rotation of the instruments."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Path length over time."),
     QT_TRANSLATE_NOOP("MetricDefinition",
@@ -149,13 +149,14 @@ namespace {
                       "Times an instrument turned faster than 50 degrees a second for over 0.2 s."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
-        "Root of squared jerk without unit, median over the movements of SPARC; 19 at best."),
+        "Dimensionless root-squared jerk, median over the movements of SPARC; 19 at best."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Local maxima of the tips' speeds above 20 mm/s, per minute."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Way of the left hand's instrument."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Way of the right hand's instruments."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Correlation of the hands' speeds."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Shorter over longer way of the two hands."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Shorter path divided by the longer one, of the two hands."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Share of the time with both hands above 5 mm/s."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Share of the time with the left hand alone above 5 mm/s."),
@@ -185,7 +186,8 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Largest principal stretch beyond that limit, 1 = at rest."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Rest volume beyond its injury stretch times how long, spells over 50 ms."),
+                      "Undeformed volume beyond its injury stretch times how long; only periods "
+                      "longer than 50 ms."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Mean distance from the edge of the incision to where heat damage (Omega) "
                       "falls to 1, on both sides, along rays across the plan."),

@@ -2717,11 +2717,11 @@
         <translation>Czas z siłą powyżej granicy sceny.</translation>
     </message>
     <message>
-        <source>Rest volume of elements torn by stretch.</source>
+        <source>Undeformed volume of elements torn by stretch.</source>
         <translation>Objętość spoczynkowa elementów rozerwanych przez rozciąganie.</translation>
     </message>
     <message>
-        <source>Rest volume of skin elements torn by stretch.</source>
+        <source>Undeformed volume of skin elements torn by stretch.</source>
         <translation>Objętość spoczynkowa elementów skóry rozerwanych przez rozciąganie.</translation>
     </message>
     <message>
@@ -2745,7 +2745,7 @@
         <translation>Luźne kawałki wycofane do portu.</translation>
     </message>
     <message>
-        <source>Rest volume of these pieces.</source>
+        <source>Undeformed volume of these pieces.</source>
         <translation>Objętość spoczynkowa tych kawałków.</translation>
     </message>
     <message>
@@ -2777,7 +2777,7 @@
         <translation>Droga końcówek instrumentów, filtr 10 Hz, 100 Hz.</translation>
     </message>
     <message>
-        <source>Way of the tips along their own shafts.</source>
+        <source>Path of the tips along their own shafts.</source>
         <translation>Droga końcówek wzdłuż własnych trzonów.</translation>
     </message>
     <message>
@@ -2861,7 +2861,7 @@
         <translation>Ile razy instrument obracał się szybciej niż 50 stopni na sekundę ponad 0,2 s.</translation>
     </message>
     <message>
-        <source>Root of squared jerk without unit, median over the movements of SPARC; 19 at best.</source>
+        <source>Dimensionless root-squared jerk, median over the movements of SPARC; 19 at best.</source>
         <translation>Pierwiastek z kwadratu zrywu bez jednostki, mediana ruchów wziętych do SPARC; najlepszy wynik to 19.</translation>
     </message>
     <message>
@@ -2881,7 +2881,7 @@
         <translation>Korelacja prędkości rąk.</translation>
     </message>
     <message>
-        <source>Shorter over longer way of the two hands.</source>
+        <source>Shorter path divided by the longer one, of the two hands.</source>
         <translation>Krótsza przez dłuższą drogę obu rąk.</translation>
     </message>
     <message>
@@ -2945,7 +2945,7 @@
         <translation>Największe rozciągnięcie główne ponad tę granicę, 1 = w spoczynku.</translation>
     </message>
     <message>
-        <source>Rest volume beyond its injury stretch times how long, spells over 50 ms.</source>
+        <source>Undeformed volume beyond its injury stretch times how long; only periods longer than 50 ms.</source>
         <translation>Objętość spoczynkowa rozciągnięta ponad granicę urazu razy czas, okresy ponad 50 ms.</translation>
     </message>
     <message>
@@ -3073,7 +3073,7 @@
         <translation>Część zaznaczonej objętości, której już nie ma: wyciągnięta lub zniszczona, tak jak pokazuje obraz.</translation>
     </message>
     <message>
-        <source>Time with the tip of an instrument inside tissue that it was pushed through, spells over 0.3 s; a tip in a hole that was cut or torn is not stuck.</source>
+        <source>Time with the tip of an instrument inside tissue that it was pushed through; only periods longer than 0.3 s; a tip in a hole that was cut or torn is not stuck.</source>
         <translation>Czas, przez który końcówka tkwiła w tkance, przez którą ją przepchnięto, epizody ponad 0,3 s; końcówka w otworze naciętym lub rozerwanym nie tkwi.</translation>
     </message>
     <message>
