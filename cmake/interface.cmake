@@ -46,9 +46,9 @@ if(Python3_Development.Module_FOUND AND Python3_NumPy_FOUND AND PYBIND11_INCLUDE
   target_include_directories(placode_python PRIVATE ${PROJECT_SOURCE_DIR})
   target_include_directories(placode_python SYSTEM PRIVATE ${PYBIND11_INCLUDE_DIR})
   target_link_libraries(placode_python PRIVATE placode_interface)
-  # From prefix/lib/python3/dist-packages/placode to the library.
+  # To the library: from prefix/lib/python3/dist-packages/placode, and in a wheel (scripts/make_wheel.py).
   set_target_properties(placode_python PROPERTIES OUTPUT_NAME _placode CXX_VISIBILITY_PRESET hidden
-    LIBRARY_OUTPUT_DIRECTORY ${python_build}/placode INSTALL_RPATH "$ORIGIN/../../../../${CMAKE_INSTALL_LIBDIR}")
+    LIBRARY_OUTPUT_DIRECTORY ${python_build}/placode INSTALL_RPATH "$ORIGIN/../../../../${CMAKE_INSTALL_LIBDIR};$ORIGIN/lib")
   # The rest of the package lies beside it as links, so that an edited file needs no build.
   file(GLOB python_files CONFIGURE_DEPENDS python/placode/*.py python/placode/*.pyi python/placode/py.typed)
   foreach(file IN LISTS python_files)
