@@ -38,12 +38,13 @@ def moment_of(value):
     return value
 
 
-def _real(name, value):
-    least, more = _REAL[name]
+def real(name, value, least, more, most=math.inf):
+    """`value` as a finite float from `least` (`more`: above it) to `most`. Raises BadArgument for anything else."""
     good = isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool)
-    good = good and math.isfinite(value) and (value > least if more else value >= least)
+    good = good and math.isfinite(value) and (value > least if more else value >= least) and value <= most
     if not good:
         limit = f"above {least}" if more else f"from {least}"
+        limit += "" if most == math.inf else f" to {most}"
         raise BadArgument(f"{name}: expected a finite number {limit}, found {value!r}")
     return float(value)
 
@@ -55,7 +56,7 @@ def checked(options):
         if name in _WHOLE:
             out[name] = whole(name, value, _WHOLE[name])
         elif name in _REAL:
-            out[name] = _real(name, value)
+            out[name] = real(name, value, *_REAL[name])
         elif name in _YES_OR_NO:
             if not isinstance(value, (bool, np.bool_)):
                 raise BadArgument(f"{name}: expected True or False, found {value!r}")

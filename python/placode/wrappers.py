@@ -5,7 +5,7 @@
 import numpy as np
 
 from .errors import BadArgument
-from .options import moment_of, whole
+from .options import moment_of, real, whole
 from .spaces import Box, HAS_GYMNASIUM
 
 if HAS_GYMNASIUM:
@@ -121,3 +121,101 @@ class SelectObservation(_Restoring):
     def step(self, action):
         observation, *rest = self.env.step(action)
         return (observation[self._where] * self._scale, *rest)
+
+
+class _Spread:
+    """Mean and variance of what came so far, one by one (Welford 1962)."""
+
+    def __init__(self, shape):
+        self.count, self.mean, self._squares = 0, np.zeros(shape), np.zeros(shape)
+
+    def add(self, value):
+        self.count += 1
+        away = value - self.mean
+        self.mean = self.mean + away / self.count
+        self._squares = self._squares + away * (value - self.mean)
+
+    @property
+    def variance(self):
+        return self._squares / self.count if self.count > 1 else np.ones(np.shape(self.mean))
+
+    def get(self):
+        return self.count, self.mean.copy(), self.variance.copy()
+
+    def set(self, statistics):
+        try:
+            count, mean, variance = statistics
+            mean, variance = np.array(mean, np.float64), np.array(variance, np.float64)
+        except (TypeError, ValueError) as error:
+            raise BadArgument("statistics: expected count, mean and variance") from error
+        if mean.shape != np.shape(self.mean) or variance.shape != mean.shape:
+            raise BadArgument(f"statistics: expected mean and variance of shape {np.shape(self.mean)}, found "
+                              f"{mean.shape} and {variance.shape}")
+        if not np.all(np.isfinite(mean)) or not np.all(np.isfinite(variance)) or np.any(variance < 0):
+            raise BadArgument("statistics: expected finite numbers, and variances of at least 0")
+        self.count = whole("count", count, 1)
+        self.mean, self._squares = mean, variance * self.count
+
+
+class NormalizeObservation(_Restoring):
+    """Observations less their mean, over their standard deviation, both of what was seen so far.
+
+    As Gymnasium's wrapper of this name; cut at +-clip. To judge a policy, keep what it was trained with:
+    statistics = (count, mean, variance) can be read and given, update_running_mean = False holds it.
+    """
+
+    def __init__(self, env, epsilon=1e-8, clip=10.0):
+        super().__init__(env)
+        self._epsilon, self._clip = real("epsilon", epsilon, 0, True), real("clip", clip, 0, True)
+        shape = env.observation_space.shape
+        self.update_running_mean = True
+        self.observation_space = Box(-self._clip, self._clip, shape, np.float64)
+        self._spread = _Spread(shape)
+
+    @property
+    def statistics(self):
+        return self._spread.get()
+
+    @statistics.setter
+    def statistics(self, value):
+        self._spread.set(value)
+
+    def _scaled(self, observation):
+        if self.update_running_mean:
+            self._spread.add(observation)
+        spread = np.sqrt(self._spread.variance + self._epsilon)
+        return np.clip((observation - self._spread.mean) / spread, -self._clip, self._clip)
+
+    def reset(self, *, seed=None, options=None):
+        observation, info = self.env.reset(seed=seed, options=options)
+        return self._scaled(observation), info
+
+    def step(self, action):
+        observation, *rest = self.env.step(action)
+        return (self._scaled(observation), *rest)
+
+
+class NormalizeReward(_Restoring):
+    """Rewards over the standard deviation of the discounted return so far, as Gymnasium's wrapper.
+
+    info["reward"] keeps what the environment gave.
+    """
+
+    def __init__(self, env, gamma=0.99, epsilon=1e-8):
+        super().__init__(env)
+        self._gamma, self._epsilon = real("gamma", gamma, 0, False, 1), real("epsilon", epsilon, 0, True)
+        self.update_running_mean = True
+        self._spread, self._return = _Spread(()), 0.0
+
+    def reset(self, *, seed=None, options=None):
+        self._return = 0.0
+        return self.env.reset(seed=seed, options=options)
+
+    def step(self, action):
+        observation, reward, terminated, truncated, info = self.env.step(action)
+        self._return = self._gamma * self._return + reward
+        if self.update_running_mean:
+            self._spread.add(self._return)
+        info["reward"] = reward
+        return (observation, float(reward / np.sqrt(self._spread.variance + self._epsilon)), terminated, truncated,
+                info)

@@ -27,3 +27,12 @@ class FrameSkip(_Restoring):
 
 class SelectObservation(_Restoring):
     def __init__(self, env: Any, names: Sequence[str], scale: ArrayLike = 1.0) -> None: ...
+
+class NormalizeObservation(_Restoring):
+    update_running_mean: bool
+    statistics: tuple[int, Any, Any]
+    def __init__(self, env: Any, epsilon: float = 1e-8, clip: float = 10.0) -> None: ...
+
+class NormalizeReward(_Restoring):
+    update_running_mean: bool
+    def __init__(self, env: Any, gamma: float = 0.99, epsilon: float = 1e-8) -> None: ...

@@ -415,6 +415,50 @@ class Wrappers(unittest.TestCase):
         with self.assertRaises(errors.BadArgument):
             wrappers.SelectObservation(tiny(), ["tool0.smell"])
 
+    def test_observations_are_normalised_by_what_was_seen(self):
+        few = wrappers.SelectObservation(tiny(), ["tool0.tip_x_mm", "tool0.to_goal_z_mm", "time_s"])
+        env = wrappers.NormalizeObservation(few)
+        policy = policies.Random(tiny(), seed=3)
+        raw = [few.reset(seed=1)[0]]
+        raw += [few.step(policy(None))[0] for _ in range(40)]
+        policy = policies.Random(tiny(), seed=3)
+        seen = [env.reset(seed=1)[0]]
+        seen += [env.step(policy(None))[0] for _ in range(40)]
+        count, mean, variance = env.statistics
+        self.assertEqual(count, 41)
+        np.testing.assert_allclose(mean, np.mean(raw, axis=0), rtol=1e-12)
+        np.testing.assert_allclose(variance, np.var(raw, axis=0), rtol=1e-12)
+        np.testing.assert_allclose(
+            seen[-1], (raw[-1] - mean) / np.sqrt(variance + 1e-8), rtol=1e-12)
+        self.assertTrue(all(env.observation_space.contains(one) for one in seen))
+        # To judge: as trained, and held.
+        judge = wrappers.NormalizeObservation(few, clip=0.5)
+        judge.statistics = env.statistics
+        judge.update_running_mean = False
+        np.testing.assert_allclose(
+            judge.reset(seed=1)[0], np.clip((raw[0] - mean) / np.sqrt(variance + 1e-8), -0.5, 0.5))
+        self.assertEqual(judge.statistics[0], 41)
+        for wrong in (None, (1, [0, 0], [1, 1]), (1, [0, 0, 0], [1, -1, 1]), (0, mean, variance),
+                      (1, [0, 0, np.nan], [1, 1, 1])):
+            with self.assertRaises(errors.BadArgument):
+                judge.statistics = wrong
+        for clip in (0, -1, np.inf, "10", None):
+            with self.assertRaises(errors.BadArgument):
+                wrappers.NormalizeObservation(few, clip=clip)
+
+    def test_rewards_are_normalised_by_the_return(self):
+        env = wrappers.NormalizeReward(tiny(), gamma=0.9)
+        policy = policies.Random(tiny(), seed=5)
+        env.reset(seed=1)
+        total, returns = 0.0, []
+        for _ in range(30):
+            _, reward, _, _, info = env.step(policy(None))
+            total = 0.9 * total + info["reward"]
+            returns.append(total)
+        self.assertAlmostEqual(reward, info["reward"] / np.sqrt(np.var(returns) + 1e-8), places=10)
+        with self.assertRaises(errors.BadArgument):
+            wrappers.NormalizeReward(tiny(), gamma=1.5)
+
     def test_sparse_reward_comes_at_the_end(self):
         env = tiny(sparse=True, units="absolute")
         total, info, steps = policies.rollout(env, policies.Scripted, seed=1)
