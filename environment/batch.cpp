@@ -3,6 +3,8 @@
 #include "environment/batch.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 namespace placode::environment {
 
@@ -10,7 +12,9 @@ Batch::Batch(std::vector<Environment*> environments, Autoreset autoreset, int th
     : environments_(std::move(environments)),
       autoreset_(autoreset),
       seeds_(environments_.size()),
-      over_(environments_.size(), 0) {
+      over_(environments_.size(), 0),
+      finish_(environments_.size(), 0),
+      last_(environments_.size()) {
     if (environments_.empty() || threads < 1)
         throw EnvironmentError(EnvironmentError::Kind::kBadArgument,
                                "a batch has at least one environment and one thread");
@@ -87,10 +91,19 @@ void Batch::reset(std::span<const uint64_t> seeds, std::span<double> observation
                                "reset of a batch: expected a seed and an observation for each");
     for_all([&](size_t i) {
         seeds_[i] = seeds[i];
-        over_[i] = 0;
+        over_[i] = finish_[i] = 0;
+        last_[i] = {};
         environments_[i]->reset(seeds[i]);
         environments_[i]->observe(observations.subspan(i * size, size));
     });
+}
+
+void Batch::finish(std::span<const uint8_t> which) {
+    if (which.size() != finish_.size())
+        throw EnvironmentError(EnvironmentError::Kind::kBadArgument,
+                               "finish of a batch: expected " + std::to_string(finish_.size()) +
+                                   " flags, found " + std::to_string(which.size()));
+    std::ranges::copy(which, finish_.begin());
 }
 
 void Batch::begin_again(size_t i) {
@@ -105,12 +118,15 @@ void Batch::step_one(size_t i, std::span<const double> action, int frames, const
     const auto observation = out.observations.subspan(i * size, size);
     out.terminated[i] = out.truncated[i] = out.success[i] = 0;
     out.rewards[i] = 0;
+    last_[i] = {};
+    const bool finish = std::exchange(finish_[i], uint8_t{0}) != 0;
     if (over_[i] != 0 && autoreset_ == Autoreset::kNextStep) {
         begin_again(i);
         environment.observe(observation);
         return;
     }
-    const StepOutcome outcome = environment.step(action, frames);
+    const StepOutcome outcome = environment.step(action, frames, finish);
+    last_[i] = {outcome, environment.judged().score.points};
     out.rewards[i] = outcome.reward;
     out.truncated[i] = outcome.end == sim::EndReason::kTimeLimit ? 1 : 0;
     out.terminated[i] = environment.ended() && out.truncated[i] == 0 ? 1 : 0;

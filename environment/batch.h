@@ -45,6 +45,15 @@ class Batch {
     /// `actions` (N x tools x kActionSize). The first exception of any of them is thrown, after all
     /// are done.
     void step(std::span<const double> actions, int frames, const BatchOutput& out);
+    /// Whose hands are done with the next step (N), as a person declares it.
+    void finish(std::span<const uint8_t> which);
+    /// What the last step brought to each, and the points after it; where a new attempt began in
+    /// the same call, those of the one that ended.
+    struct Last {
+        StepOutcome outcome;
+        double points = 0;
+    };
+    [[nodiscard]] std::span<const Last> last() const { return last_; }
     [[nodiscard]] size_t size() const { return environments_.size(); }
 
  private:
@@ -57,7 +66,8 @@ class Batch {
     std::vector<Environment*> environments_;
     Autoreset autoreset_;
     std::vector<uint64_t> seeds_;
-    std::vector<uint8_t> over_;
+    std::vector<uint8_t> over_, finish_;
+    std::vector<Last> last_;
     // Threads: all but the caller's.
     std::vector<std::thread> threads_;
     std::mutex mutex_;

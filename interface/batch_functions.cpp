@@ -66,4 +66,25 @@ placode_status placode_batch_step(placode_batch* b, const double* actions, int32
         b->batch->step({actions, n * b->action}, frames, out);
     });
 }
+
+placode_status placode_batch_finish(placode_batch* b, const uint8_t* which) {
+    if (b == nullptr) return PLACODE_BAD_ARGUMENT;
+    return guarded(b->error, [&] {
+        if (which == nullptr) refuse("finish of a batch: a null pointer");
+        b->batch->finish({which, b->batch->size()});
+    });
+}
+
+placode_status placode_batch_last(placode_batch* b, double* score_parts, double* approach_parts,
+                                  double* points) {
+    if (b == nullptr) return PLACODE_BAD_ARGUMENT;
+    return guarded(b->error, [&] {
+        const auto last = b->batch->last();
+        for (size_t i = 0; i < last.size(); ++i) {
+            if (score_parts != nullptr) score_parts[i] = last[i].outcome.score_part;
+            if (approach_parts != nullptr) approach_parts[i] = last[i].outcome.approach_part;
+            if (points != nullptr) points[i] = last[i].points;
+        }
+    });
+}
 }

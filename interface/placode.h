@@ -275,6 +275,12 @@ PLACODE_API placode_status placode_batch_step(placode_batch* batch, const double
                                               double* final_observations, double* rewards,
                                               uint8_t* terminated, uint8_t* truncated,
                                               uint8_t* success);
+/* Before a step: N flags, 1 = the task is declared done with it. */
+PLACODE_API placode_status placode_batch_finish(placode_batch* batch, const uint8_t* which);
+/* After a step: the parts of its N rewards, and the points; with PLACODE_SAME_STEP those of an
+ * attempt that ended. Null for what is not wanted. */
+PLACODE_API placode_status placode_batch_last(placode_batch* batch, double* score_parts,
+                                              double* approach_parts, double* points);
 
 #ifdef __cplusplus
 }

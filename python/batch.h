@@ -65,6 +65,18 @@ class Batch {
         }
         check(status);
     }
+    void finish(py::array which) {
+        const Use use(environments_);
+        check(placode_batch_finish(handle_.get(),
+                                   room<uint8_t>(which, environments_.size(), "which")));
+    }
+    void last(py::array score_parts, py::array approach_parts, py::array points) {
+        const Use use(environments_);
+        const size_t n = environments_.size();
+        check(placode_batch_last(handle_.get(), room<double>(score_parts, n, "score parts"),
+                                 room<double>(approach_parts, n, "approach parts"),
+                                 room<double>(points, n, "points")));
+    }
 
  private:
     void check(placode_status status) const {

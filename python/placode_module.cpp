@@ -106,5 +106,8 @@ PYBIND11_MODULE(_placode, m) {
         .def("step", &Batch::step, py::arg("actions"), py::arg("frames"),
              py::arg("observations").noconvert(), py::arg("final_observations"),
              py::arg("rewards").noconvert(), py::arg("terminated").noconvert(),
-             py::arg("truncated").noconvert(), py::arg("success").noconvert());
+             py::arg("truncated").noconvert(), py::arg("success").noconvert())
+        .def("finish", &Batch::finish, py::arg("which").noconvert())
+        .def("last", &Batch::last, py::arg("score_parts").noconvert(),
+             py::arg("approach_parts").noconvert(), py::arg("points").noconvert());
 }

@@ -49,16 +49,17 @@ class PlacodeVectorEnv(_VectorEnv):
                     NEXT_STEP or DISABLED, where reset(options={"reset_mask": MASK}) begins
                     anew those that MASK names
 
-    infos["success"] says of every environment whether its attempt passed. But with SAME_STEP, where
-    the next attempt has begun, infos["points"] has the points of those that ended. finish_action and
-    pictures are for single environments.
+    infos["success"] says of every environment whether its attempt passed, infos["points"] has the points
+    of those whose attempt ended, infos["score_reward"] and infos["approach_reward"] the parts of the
+    rewards. Pictures are for single environments.
     """
 
     def __init__(self, task, num_envs, *, threads=1, autoreset_mode=AutoresetMode.NEXT_STEP,
-                 frame_skip=20, units="normalised", move_scope=False, fields=None, **options):
+                 frame_skip=20, units="normalised", move_scope=False, finish_action=False,
+                 fields=None, **options):
         own = checked({"num_envs": num_envs, "threads": threads, "frame_skip": frame_skip,
-                       "move_scope": move_scope})
-        for name in ("finish_action", "render_mode", "width", "height"):
+                       "move_scope": move_scope, "finish_action": finish_action})
+        for name in ("render_mode", "width", "height"):
             if name in options:
                 raise BadArgument(f"{name}: for single environments only")
         mode = AutoresetMode(autoreset_mode)
@@ -74,7 +75,8 @@ class PlacodeVectorEnv(_VectorEnv):
         tools = self.handles[0].tools
         self._tips = [[self.observation_names.index(f"tool{i}.tip_{axis}_mm") for axis in "xyz"]
                       for i in range(len(tools))]
-        self.actions = ActionMap(tools, units == "absolute", own["move_scope"])
+        self.actions = ActionMap(tools, units == "absolute", own["move_scope"],
+                                 own["finish_action"])
         self.single_action_space = self.actions.space
         self.single_observation_space = Box(-np.inf, np.inf, (len(self.observation_names),),
                                             np.float64)
@@ -137,6 +139,9 @@ class PlacodeVectorEnv(_VectorEnv):
                               f"{self.action_space.shape}")
         n = self.num_envs
         full = np.tile(self.actions.rest, (n, 1))
+        if self.actions.finish_action:
+            self._batch.finish((actions[:, -1] > 0.5).astype(np.uint8))
+            actions = actions[:, :-1]
         full[:, self.actions.where] = actions
         observations = np.empty(self.observation_space.shape)
         last = (np.empty(self.observation_space.shape)
@@ -146,12 +151,13 @@ class PlacodeVectorEnv(_VectorEnv):
         self._batch.step(full, self.frame_skip, observations, last, rewards, terminated,
                          truncated, success)
         terminated, truncated, success = (a.astype(bool) for a in (terminated, truncated, success))
-        infos = {"success": success, "_success": np.ones(n, bool)}
+        score, approach, points = (np.empty(n) for _ in range(3))
+        self._batch.last(score, approach, points)
+        infos = {"success": success, "score_reward": score, "approach_reward": approach}
+        infos.update({"_" + name: np.ones(n, bool) for name in infos})
         over = terminated | truncated
-        if last is None and over.any():
-            infos["points"] = np.array([handle.score()[0] if ended else 0.0
-                                        for handle, ended in zip(self.handles, over)])
-            infos["_points"] = over
+        if over.any():
+            infos.update(points=np.where(over, points, 0.0), _points=over)
         if last is not None and over.any():
             final = np.full(n, None, dtype=object)
             for i in np.flatnonzero(over):

@@ -119,7 +119,7 @@ class Vectors(unittest.TestCase):
             self.vector(placode.AutoresetMode.NEXT_STEP).reset(options={"reset_mask": mask})
 
     def test_what_is_for_single_environments_says_so(self):
-        for option in ({"finish_action": True}, {"render_mode": "rgb_array"}):
+        for option in ({"width": 64}, {"render_mode": "rgb_array"}):
             with self.assertRaisesRegex(errors.BadArgument, "single"):
                 self.vector(placode.AutoresetMode.DISABLED, **option)
 

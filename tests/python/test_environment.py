@@ -369,6 +369,39 @@ class Vectors(unittest.TestCase):
         self.assertAlmostEqual(infos["final_obs"][0][0], 0.2)
         self.assertEqual(seen[0][0], 0)
 
+    def test_parts_points_and_who_declares_it_done(self):
+        for mode in (placode.AutoresetMode.SAME_STEP, placode.AutoresetMode.NEXT_STEP):
+            options = {"lesions": 1, "scene": TINY, "units": "absolute", "finish_action": True,
+                       "frame_skip": 50}
+            vec = placode.make_vec("Placode/Reach-v0", 2, autoreset_mode=mode, **options)
+            self.assertEqual(vec.action_names[-1], "finish")
+            single = [placode.make("Placode/Reach-v0", **options).unwrapped for _ in range(2)]
+            vec.reset(seed=1)
+            experts = []
+            for i, env in enumerate(single):
+                env.reset(seed=1 + i)
+                experts.append(placode.policies.Scripted(env, "expert", 1 + i))
+            for step in range(160):
+                actions = np.array([expert(None) for expert in experts])
+                actions[1, -1] = 1.0 if step == 150 else 0.0
+                _, rewards, terminated, _, infos = vec.step(actions)
+                for i, env in enumerate(single[:1 if step > 150 else 2]):
+                    _, reward, over, _, info = env.step(actions[i])
+                    self.assertEqual((reward, over, info["score_reward"], info["approach_reward"]),
+                                     (rewards[i], terminated[i], infos["score_reward"][i],
+                                      infos["approach_reward"][i]))
+                    self.assertEqual(over, i == 1 and step == 150)
+                if step == 150:
+                    np.testing.assert_array_equal(infos["_points"], [False, True])
+                    self.assertEqual(infos["points"][1], info["points"])
+                    self.assertGreater(info["points"], 0)
+                elif step < 150:
+                    self.assertNotIn("points", infos)
+                else:
+                    break
+            with self.assertRaises(errors.BadArgument):
+                vec._batch.finish(np.zeros(3, np.uint8))
+
     def test_next_step_and_disabled(self):
         vec = self.vector(placode.AutoresetMode.NEXT_STEP)
         vec.reset(seed=[1, 2, 3])
