@@ -8,6 +8,8 @@
 #include <initializer_list>
 #include <string>
 
+#include "ui/attempt/user_settings.h"
+
 namespace placode::ui {
 namespace {
 
@@ -37,10 +39,7 @@ bool motion_wanted_in(const std::filesystem::path& settings) {
 
 bool motion_wanted() {
     if (const char* wish = std::getenv("PLACODE_MOTION")) return std::string(wish) != "0";
-    if (const char* folder = std::getenv("XDG_CONFIG_HOME"))
-        if (*folder != '\0') return motion_wanted_in(folder);
-    const char* home = std::getenv("HOME");
-    return home == nullptr || motion_wanted_in(std::filesystem::path(home) / ".config");
+    return motion_wanted_in(config_folder());
 }
 
 }  // namespace placode::ui

@@ -18,14 +18,14 @@ std::string name(double time_s) {
     return text;
 }
 
-/// A name that no other attempt's picture has: day and time of the clock on the wall.
-std::string dated_name() {
+/// A name that no other picture has: day and time of the clock on the wall, then of the attempt.
+std::string dated_name(double time_s) {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
     ::localtime_r(&now, &local);
     char text[64];
-    std::strftime(text, sizeof text, "placode_%Y-%m-%d_%H%M%S.png", &local);
-    return text;
+    std::strftime(text, sizeof text, "%Y-%m-%d_%H%M%S_", &local);
+    return text + name(time_s);
 }
 
 }  // namespace
@@ -46,10 +46,10 @@ void Screenshots::save(view::FetoscopeView& view, double time_s) {
     next_s_ = (std::floor(time_s / every_s_ + 1e-9) + 1) * every_s_;
 }
 
-std::string Screenshots::save_extra(view::FetoscopeView& view) {
+std::string Screenshots::save_extra(view::FetoscopeView& view, double time_s) {
     const std::filesystem::path folder =
         folder_.empty() ? pictures_folder() : std::filesystem::path(folder_);
-    const std::string path = (folder / dated_name()).string();
+    const std::string path = (folder / dated_name(time_s)).string();
     view.save_png(path);
     ++saved_;
     return path;

@@ -20,7 +20,7 @@ class Screenshots {
     /// Saves what `view` drew last. Throws ViewError.
     void save(view::FetoscopeView& view, double time_s);
     /// Saves on demand (F12), in the folder or among the user's pictures; returns the path.
-    std::string save_extra(view::FetoscopeView& view);
+    std::string save_extra(view::FetoscopeView& view, double time_s);
     [[nodiscard]] int saved() const { return saved_; }
     [[nodiscard]] const std::string& folder() const { return folder_; }
 

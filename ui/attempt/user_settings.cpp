@@ -19,12 +19,12 @@ std::filesystem::path home() {
     return set != nullptr && *set != '\0' ? set : ".";
 }
 
+}  // namespace
+
 std::filesystem::path config_folder() {
     const char* set = std::getenv("XDG_CONFIG_HOME");
     return set != nullptr && *set != '\0' ? std::filesystem::path(set) : home() / ".config";
 }
-
-}  // namespace
 
 std::filesystem::path settings_file(std::string_view name) {
     return config_folder() / "placode" / name;

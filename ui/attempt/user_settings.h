@@ -10,6 +10,8 @@
 
 namespace placode::ui {
 
+/// $XDG_CONFIG_HOME, else ~/.config: where desktop and programs keep their settings.
+[[nodiscard]] std::filesystem::path config_folder();
 /// Path of a file of settings; its folder need not exist.
 [[nodiscard]] std::filesystem::path settings_file(std::string_view name);
 

@@ -236,7 +236,7 @@ class WindowSession {
         runner_.picture_drawn();
         if (snapshot.x.empty()) return;
         if (shots_.due(snapshot.time_s)) shots_.save(view_, snapshot.time_s);
-        if (screenshot_asked_) extra_screenshot();
+        if (screenshot_asked_) extra_screenshot(snapshot.time_s);
     }
 
     /// Says once how a lens is wiped that lets little through; a script wipes it.
@@ -252,10 +252,10 @@ class WindowSession {
         notice_until_ = Clock::now() + std::chrono::seconds(seconds);
     }
 
-    void extra_screenshot() {
+    void extra_screenshot(double time_s) {
         screenshot_asked_ = false;
         try {
-            const std::string path = shots_.save_extra(view_);
+            const std::string path = shots_.save_extra(view_, time_s);
             note(view::translated("Screenshot saved", overlay_.language) + ": " + path, kReadPathS);
         } catch (const view::ViewError&) {
             note("Screenshot could not be saved");
