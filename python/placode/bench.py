@@ -79,7 +79,7 @@ def main(task, scene, runs):
     try:
         figures["pictured_frames_per_s"] = frames_per_s(drawing, moment, actions, min(runs, 3))
         figures["picture"] = drawing.render().shape[1::-1]
-    except placode.PlacodeError:
+    except placode.errors.NoPicture:
         pass  # no OpenGL here
     print(json.dumps(figures))
 
