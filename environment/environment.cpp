@@ -71,7 +71,7 @@ void Environment::enter(const std::shared_ptr<const Field>& field) {
 void Environment::reset(uint64_t seed) {
     enter(fields_->field(task_, field_seed(seed)));
     seed_ = seed;
-    sim::load_state(*field_->scene, *state_, field_->settled);
+    sim::load_own_state(*state_, field_->settled);
     hands_.emplace(field_->scene->tools);
     hands_->reset(seed, options_.start_spread_m);
     const std::vector<curriculum::TaskStep> steps = curriculum::steps_for(field_->task, "script");
@@ -291,7 +291,7 @@ void Environment::restore(const SavedMoment& saved) {
                                "otherwise: found " +
                                    saved.field->task.id + ", expected " + task_.id);
     enter(saved.field);
-    sim::load_state(*field_->scene, *state_, saved.state);
+    sim::load_own_state(*state_, saved.state);
     seed_ = saved.seed;
     frames_.emplace(*saved.frames);
     hands_.emplace(*saved.hands);

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdlib>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "sim/step/step.h"
@@ -125,6 +126,12 @@ TEST(WholeState, OtherBytesAreRefusedAndChangeNothing) {
         }
         EXPECT_EQ(sim::whole_hash(state), before);
     };
+    sim::load_own_state(state, saved);
+    EXPECT_TRUE(sim::save_state(*rerun.scene, state) == saved);
+    rerun.step(state);
+    EXPECT_EQ(sim::whole_hash(state), before) << "the frame after it is the same";
+    for (const size_t size : {size_t{0}, size_t{20}, size_t{40}, saved.size() - 1})
+        EXPECT_THROW(sim::load_own_state(state, std::span(saved).first(size)), sim::StateError);
     refused({}, "cut off");
     refused({saved.begin(), saved.begin() + 40}, "cut off or damaged");
     auto damaged = saved;

@@ -12,6 +12,8 @@
 // A field that is added to the struct and not to the list does not compile. Three kinds:
 // state() decides the future; kept() follows from it, or only speeds up, and is saved so that it
 // need not be found again; constant() is built from the scene, or is lost between two frames.
+// Lists with room for more than they hold: state_of(count, list), kept_of(count, list), where
+// `count` is listed before them; what lies behind is no part of the state.
 
 #include <array>
 #include <concepts>

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "sim/core/fields.h"
@@ -21,14 +22,16 @@ struct SurfaceTriangle {
     int32_t tet = -1;  ///< The living tet behind it.
     Tissue tissue = Tissue::kSkin;
     uint8_t fresh = 0;  ///< 1 = uncovered by cutting or burning during the attempt.
-    uint8_t reserved[2]{};
+    std::array<uint8_t, 2> reserved{};
 };
 template <class Visit>
 void fields(Of<SurfaceTriangle> auto& s, Visit&& visit) {
     auto& [vertex, tet, tissue, fresh, reserved] = s;
-    visit.state(vertex, tet, tissue, fresh);
-    visit.constant(reserved);
+    visit.state(vertex, tet, tissue, fresh, reserved);
 }
+template <>
+inline constexpr bool kPlainBytes<SurfaceTriangle> = true;
+static_assert(std::has_unique_object_representations_v<SurfaceTriangle>);
 
 /// Local vertices of the face opposite to local vertex f, outward for a positive tet.
 inline constexpr std::array<std::array<int, 3>, 4> kTetFaces{
@@ -97,8 +100,10 @@ class SurfaceState {
     template <class Visit>
     friend void fields(Of<SurfaceState> auto& s, Visit&& visit) {
         auto& [tree, triangles, slot_of_face, face_of_slot, count, version] = s;
-        visit.state(triangles, count, version);
-        visit.kept(tree, slot_of_face, face_of_slot);
+        visit.state(count, version);
+        visit.state_of(count, triangles);
+        visit.kept(tree, slot_of_face);
+        visit.kept_of(count, face_of_slot);
     }
 };
 

@@ -83,6 +83,7 @@ int SurfaceTree::build(const std::vector<Vec3>& centroid, std::vector<int32_t>& 
 void SurfaceTree::insert(int slot, int tet) noexcept {
     const int32_t leaf = leaf_of_tet_[tet], head = first_[leaf];
     leaf_[slot] = leaf;
+    used_ = std::max(used_, slot + 1);
     next_[slot] = head;
     previous_[slot] = -1;
     if (head >= 0) previous_[head] = slot;

@@ -88,6 +88,7 @@ class SurfaceTree {
     std::vector<int32_t> first_;   // of the list of a leaf, -1 = none
     std::vector<int32_t> leaf_of_tet_;
     std::vector<int32_t> leaf_, next_, previous_;  // by slot
+    int32_t used_ = 0;                             // slots that were ever in use: [0, used_)
     std::vector<uint8_t> pending_;  // by node: 1 = the box may be wrong whatever moves
     std::vector<uint8_t> moved_;    // by node: `moves` of the last refit
     std::vector<uint8_t> fresh_;    // by node: fitted in this refit
@@ -96,11 +97,16 @@ class SurfaceTree {
 
     template <class Visit>
     friend void fields(Of<SurfaceTree> auto& s, Visit&& visit) {
-        auto& [boxes, after, parent, count, first, leaf_of_tet, leaf, next, previous, pending,
+        auto& [boxes, after, parent, count, first, leaf_of_tet, leaf, next, previous, used, pending,
                moved, fresh, branch, crown] = s;
-        visit.kept(boxes, count, first, leaf, next, previous, pending, moved);
+        visit.kept(boxes, count, first, used, pending, moved);
+        visit.kept_of(used, leaf);
+        visit.kept_of(used, next);
+        visit.kept_of(used, previous);
         visit.constant(after, parent, leaf_of_tet, fresh, branch, crown);
     }
 };
+template <>
+inline constexpr bool kPlainBytes<SurfaceTree::Box> = true;
 
 }  // namespace placode::sim

@@ -88,6 +88,8 @@ void fields(Of<TissuePair> auto& s, Visit&& visit) {
     auto& [vertex, tet, face] = s;
     visit.state(vertex, tet, face);
 }
+template <>
+inline constexpr bool kPlainBytes<TissuePair> = true;
 
 /// Sized by the constructor, never grows; empty in a scene that does not list it.
 struct SelfContact {
@@ -105,7 +107,8 @@ struct SelfContact {
 template <class Visit>
 void fields(Of<SelfContact> auto& s, Visit&& visit) {
     auto& [pairs, count, beside_until] = s;
-    visit.state(pairs, count, beside_until);
+    visit.state(count, beside_until);
+    for (size_t g = 0; g < pairs.size(); ++g) visit.state_of(count[g], pairs[g]);
 }
 
 }  // namespace placode::sim

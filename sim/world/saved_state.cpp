@@ -15,7 +15,7 @@
 namespace placode::sim {
 namespace {
 
-constexpr uint64_t kFormat = 0x3130545441545350;  // "PSTATT01", byte order included
+constexpr uint64_t kFormat = 0x3230545441545350;  // "PSTATT02", byte order included
 
 template <class T>
 inline constexpr bool kIsVector = false;
@@ -65,6 +65,19 @@ class Walk {
     void kept(T&... parts) {
         if constexpr (Sink::kKeeps) (one(parts), ...);
     }
+    template <class List>
+    void state_of(const int32_t& count, List& list) {
+        sink_.part(count, list.size());
+        if constexpr (kPlainBytes<typename List::value_type>)
+            sink_.bytes(list.data(),
+                        static_cast<size_t>(count) * sizeof(typename List::value_type));
+        else
+            for (auto& element : std::span(list).first(static_cast<size_t>(count))) one(element);
+    }
+    template <class List>
+    void kept_of(const int32_t& count, List& list) {
+        if constexpr (Sink::kKeeps) state_of(count, list);
+    }
     template <class... T>
     void constant(const T&...) const noexcept {}
 
@@ -99,6 +112,7 @@ struct Hasher {
         const uint64_t n = v.size();
         hash.bytes(&n, sizeof n);
     }
+    void part(int32_t, size_t) noexcept {}
     WordHash hash;
 };
 
@@ -109,6 +123,7 @@ struct Counter {
     void size(const V&) noexcept {
         count += sizeof(uint64_t);
     }
+    void part(int32_t, size_t) noexcept {}
     size_t count = 0;
 };
 
@@ -123,6 +138,7 @@ struct Writer {
         const uint64_t n = v.size();
         bytes(&n, sizeof n);
     }
+    void part(int32_t, size_t) noexcept {}
     uint8_t* to;
 };
 
@@ -143,6 +159,10 @@ struct Reader {
             v.resize(n);
         else if (n != v.size())
             throw other_scene(n, v.size());
+    }
+    void part(int32_t count, size_t room) const {
+        if (count < 0 || static_cast<size_t>(count) > room)
+            throw other_scene(static_cast<size_t>(count), room);
     }
     static StateError other_scene(size_t found, size_t room) {
         return StateError("saved state: a list of " + std::to_string(found) + " entries where " +
@@ -202,10 +222,28 @@ std::vector<uint8_t> save_state(const Scene& scene, const State& state) {
     return saved;
 }
 
-void load_state(const Scene& scene, State& state, std::span<const uint8_t> saved) {
+namespace {
+
+Head head_of(std::span<const uint8_t> saved) {
     Head head;
     if (saved.size() < sizeof head) throw StateError("saved state: it is cut off; save it again");
     std::memcpy(&head, saved.data(), sizeof head);
+    return head;
+}
+
+void read(State& state, std::span<const uint8_t> body) {
+    Reader reader{body};
+    Walk walk(reader);
+    fields(state, walk);
+    state.scratch->forget();
+    state.event_count = 0;
+    state.flags = 0;
+}
+
+}  // namespace
+
+void load_state(const Scene& scene, State& state, std::span<const uint8_t> saved) {
+    const Head head = head_of(saved);
     const auto body = saved.subspan(sizeof head);
     if (head.format != kFormat)
         throw StateError("saved state: it is of another format; save it with this program");
@@ -215,13 +253,15 @@ void load_state(const Scene& scene, State& state, std::span<const uint8_t> saved
             "saved from");
     if (head.size != body.size() || head.check != check_of(body))
         throw StateError("saved state: it is cut off or damaged; save it again");
-    // Sound bytes of this scene and format: nothing below fails.
-    Reader reader{body};
-    Walk walk(reader);
-    fields(state, walk);
-    state.scratch->forget();
-    state.event_count = 0;
-    state.flags = 0;
+    read(state, body);  // sound bytes of this scene and format: it does not fail
+}
+
+void load_own_state(State& state, std::span<const uint8_t> saved) {
+    const Head head = head_of(saved);
+    const auto body = saved.subspan(sizeof head);
+    if (head.format != kFormat || head.size != body.size())
+        throw StateError("saved state: it is cut off or damaged; save it again");
+    read(state, body);
 }
 
 }  // namespace placode::sim

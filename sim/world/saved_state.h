@@ -24,7 +24,7 @@ class StateError : public std::runtime_error {
 /// alike.
 [[nodiscard]] uint64_t whole_hash(const State& state) noexcept;
 
-/// Format 1, of this build's field lists and byte order: for a running program, not for archives.
+/// Format 2, of this build's field lists and byte order: for a running program, not for archives.
 [[nodiscard]] std::vector<uint8_t> save_state(const Scene& scene, const State& state);
 /// The same into memory that is used again.
 void save_state(const Scene& scene, const State& state, std::vector<uint8_t>& into);
@@ -33,5 +33,9 @@ void save_state(const Scene& scene, const State& state, std::vector<uint8_t>& in
 /// @pre `state` was built for `scene`, and so was the saved one, with the same live tuning.
 /// @throws StateError for other bytes; `state` is then as it was.
 void load_state(const Scene& scene, State& state, std::span<const uint8_t> saved);
+
+/// The same for bytes that this program saved of the same scene and kept to itself: neither they
+/// nor the scene are summed up once more, a third of the time.
+void load_own_state(State& state, std::span<const uint8_t> saved);
 
 }  // namespace placode::sim
