@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 
 #include "sim/core/as_index.h"
@@ -53,6 +54,9 @@ uint16_t zigzag(uint16_t now, uint16_t before) {
     return static_cast<uint16_t>((static_cast<uint16_t>(change) << 1) ^
                                  static_cast<uint16_t>(change >> 15));
 }
+
+/// One step is less than half a pixel, and tissue that trembles by it would be most of the bytes.
+bool moved(uint16_t now, uint16_t kept) { return std::abs(int{now} - int{kept}) > 1; }
 
 bool same(const sim::SurfaceTriangle& a, const sim::SurfaceTriangle& b) {
     return a.vertex == b.vertex && a.tissue == b.tissue && a.fresh == b.fresh;
@@ -182,8 +186,13 @@ void ReviewPart::put_places(std::string& bytes, const Numbering& numbering) cons
                 const size_t first = std::max<size_t>(picture, numbering.born[n]);
                 return pictures_[first].x[as_index(numbering.body[n])][axis];
             };
-            for (size_t p = 0; p < pictures_.size(); ++p)
-                places.add(p == 0 ? at(0) : zigzag(at(p), at(p - 1)));
+            uint16_t kept = at(0);
+            places.add(kept);
+            for (size_t p = 1; p < pictures_.size(); ++p) {
+                const uint16_t now = moved(at(p), kept) ? at(p) : kept;
+                places.add(zigzag(now, kept));
+                kept = now;
+            }
         }
     bytes += places.low + places.high;
 }

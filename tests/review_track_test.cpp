@@ -136,9 +136,9 @@ std::vector<Moment> moments_of(const std::string& packed) {
 }
 
 void expect_near(const std::array<double, 3>& shown, const std::array<float, 3>& was) {
-    // Half a step of rounding, and the float's own last bit at 65 mm.
+    // Half a step of rounding, one that it may stay behind, and the float's own last bit at 65 mm.
     for (size_t i = 0; i < 3; ++i)
-        ASSERT_NEAR(shown[i], static_cast<double>(was[i]), 0.51 * kReviewStepM);
+        ASSERT_NEAR(shown[i], static_cast<double>(was[i]), 1.51 * kReviewStepM);
 }
 
 /// Every triangle, by where its corners lie, what it is made of and how it is harmed.
