@@ -128,6 +128,31 @@ TEST_P(WebLtiTest, StartsTheSessionOfTheLinkedAccount) {
     EXPECT_NE(log.find("line item " + platform.url("/lineitems/a?type_id=1")), std::string::npos);
 }
 
+TEST_P(WebLtiTest, TheSessionEndsWithItsLink) {
+    Browser one = browser(), other = browser();
+    ASSERT_EQ(launch(one, "sub-1").status, 200);
+    ASSERT_EQ(launch(other, "sub-2").status, 200);
+    linked.erase("sub-1");
+    write_settings();
+    EXPECT_EQ(one.get("/").header("Location"), "/sign-in");
+    EXPECT_EQ(other.get("/").status, 200) << "another's link is not touched";
+    EXPECT_NE(log.find("its link with " + std::string(MockPlatform::kIssuer) + " is gone"),
+              std::string::npos);
+    linked["sub-1"] = "trainee";
+    write_settings();
+    EXPECT_EQ(one.get("/").header("Location"), "/sign-in") << "and does not come back with it";
+    std::swap(linked["sub-1"], linked["sub-2"]);
+    write_settings();
+    EXPECT_EQ(other.get("/").header("Location"), "/sign-in") << "the link is another person's now";
+}
+
+TEST_P(WebLtiTest, SettingsThatCannotBeReadLetNobodyStay) {
+    Browser one = browser();
+    ASSERT_EQ(launch(one).status, 200);
+    std::ofstream(settings_file()) << "{";
+    EXPECT_EQ(one.get("/").header("Location"), "/sign-in");
+}
+
 TEST_P(WebLtiTest, TheSignInMayBeginByPost) {
     Browser one = browser();
     const Seen login = one.post("/lti/login", {{"iss", MockPlatform::kIssuer},

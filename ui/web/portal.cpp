@@ -148,8 +148,8 @@ Answer Portal::page(const Request& request, const Signed& who) {
         options_.log(request.path + ": " + error.what());
         return trouble(error, {});
     }
-    // Closed or erased meanwhile, or its password was set anew by somebody else.
-    if (!user || !user->active || user->password_given) {
+    // Closed or erased meanwhile, its password was set anew by somebody else, or its link is gone.
+    if (!user || !user->active || user->password_given || !lti_still_linked(who.session, *user)) {
         sessions_.end(who.token);
         Answer answer = redirect("/sign-in");
         answer.headers.emplace_back("Set-Cookie", cookie(session_name(), ""));

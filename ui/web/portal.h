@@ -85,6 +85,8 @@ class Portal {
     [[nodiscard]] Answer lti_enter(const lti::Platform& platform, const lti::Launch& launch);
     [[nodiscard]] Answer lti_begin_session(const lti::Platform& platform, const lti::Launch& launch,
                                            db::Store& store, const db::UserRecord& user);
+    /// True, too, for whoever came by password.
+    [[nodiscard]] bool lti_still_linked(const Session& session, const db::UserRecord& user) const;
     [[nodiscard]] std::string lti_cookie(const std::string& value) const;
 
     PortalOptions options_;

@@ -83,6 +83,10 @@ Answer unknown_person(const lti::Platform& platform, const std::string& subject)
     return message(403, say("Not known here yet"), body);
 }
 
+bool is_for(const lti::Link& link, const db::UserRecord& user) {
+    return link.account == user.id && db::login_key(link.login) == db::login_key(user.login);
+}
+
 /// The own page of a task, where there is something on it.
 std::string page_of(db::Store& store, int64_t account, const std::string& task) {
     if (task.empty()) return "/";
@@ -202,7 +206,7 @@ Answer Portal::lti_enter(const lti::Platform& platform, const lti::Launch& launc
     try {
         const auto store = db::open_for_reading(options_.store_url, link->account, options_.store);
         const auto user = store->accounts().find(link->account);
-        if (!user || !user->active || db::login_key(user->login) != db::login_key(link->login)) {
+        if (!user || !user->active || !is_for(*link, *user)) {
             options_.log("lti: account " + std::to_string(link->account) + " is closed, or not " +
                          link->login + "'s");
             return not_in(403, say("The account that you are linked with is closed or was changed. "
@@ -231,12 +235,32 @@ Answer Portal::lti_begin_session(const lti::Platform& platform, const lti::Launc
     // Not a redirection: a browser takes that for the platform's, and brings no cookie that is for
     // this site alone.
     answer.headers.emplace_back("Refresh", "0; url=" + page);
-    answer.headers.emplace_back("Set-Cookie", cookie(session_name(), sessions_.begin(user.id)));
+    answer.headers.emplace_back(
+        "Set-Cookie",
+        cookie(session_name(),
+               sessions_.begin(user.id, {platform.issuer, platform.client_id, launch.subject})));
     answer.headers.emplace_back("Set-Cookie", lti_cookie(""));
     options_.log(
         "lti: account " + std::to_string(user.id) + " signed in from " + platform.issuer +
         (launch.line_item.empty() ? "" : "; line item " + launch.line_item.substr(0, 500)));
     return answer;
+}
+
+// Asked for every page. Settings that cannot be read let nobody in.
+bool Portal::lti_still_linked(const Session& session, const db::UserRecord& user) const {
+    const CameFrom& from = session.came_from;
+    if (from.issuer.empty()) return true;
+    try {
+        const lti::Settings settings = lti::read_settings(options_.lti_file);
+        const lti::Platform* platform = settings.platform(from.issuer, from.client_id);
+        const lti::Link* link = platform == nullptr ? nullptr : platform->link_of(from.subject);
+        if (link != nullptr && is_for(*link, user)) return true;
+        options_.log("lti: account " + std::to_string(user.id) + " is signed out: its link with " +
+                     from.issuer + " is gone");
+    } catch (const lti::SettingsError& error) {
+        options_.log(std::string("lti: ") + error.what());
+    }
+    return false;
 }
 
 }  // namespace placode::web

@@ -37,13 +37,13 @@ bool same_token(const std::string& a, const std::string& b) {
 
 Sessions::Sessions(std::function<int64_t()> now_s) : now_s_(std::move(now_s)) {}
 
-std::string Sessions::begin(int64_t account) {
+std::string Sessions::begin(int64_t account, CameFrom came_from) {
     const std::string token = new_token();
     const int64_t now = now_s_();
     const std::lock_guard lock(mutex_);
     forget_old(now);
     make_room(account);
-    sessions_[hash_of_token(token)] = {account, new_token(), now, now};
+    sessions_[hash_of_token(token)] = {account, new_token(), now, now, std::move(came_from)};
     return token;
 }
 

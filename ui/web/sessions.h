@@ -12,10 +12,16 @@
 
 namespace placode::web {
 
+/// Who somebody is on a learning platform, for whom a platform vouched; empty: a password did.
+struct CameFrom {
+    std::string issuer, client_id, subject;
+};
+
 struct Session {
     int64_t account = 0;
     std::string form_token;  ///< A form of this session carries it.
     int64_t begun_s = 0, seen_s = 0;
+    CameFrom came_from;
 };
 
 /// Any thread.
@@ -29,7 +35,7 @@ class Sessions {
     explicit Sessions(std::function<int64_t()> now_s);
 
     /// Returns the token for the cookie, 256 random bits; only its hash is kept.
-    [[nodiscard]] std::string begin(int64_t account);
+    [[nodiscard]] std::string begin(int64_t account, CameFrom came_from = {});
     /// Nothing for one that is unknown, idle for kIdleS or older than kLongestS; else it is now
     /// seen.
     [[nodiscard]] std::optional<Session> find(const std::string& token);
