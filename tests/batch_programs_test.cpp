@@ -323,18 +323,6 @@ TEST_F(BatchPrograms, TheScriptsDoTheShards) {
     EXPECT_EQ(read_text(file("p/result.jsonl")), reference);
 }
 
-TEST_F(BatchPrograms, SlurmDoesTheShardsWhereItRuns) {
-    if (shell("sh -c 'command -v sbatch && sinfo --noheader | grep -q idle'").status != 0)
-        GTEST_SKIP() << "no Slurm with an idle node here";
-    const std::string reference = whole("a");
-    ASSERT_EQ(plan("p").status, 0);
-    write_text(file("slurm.sh"), batch("script p --runner slurm").out);
-    const Outcome sent = shell("sbatch --wait slurm.sh");
-    EXPECT_EQ(sent.status, 0) << sent.out << sent.err;
-    EXPECT_EQ(batch("merge p").status, 0);
-    EXPECT_EQ(read_text(file("p/result.jsonl")), reference);
-}
-
 TEST(BatchParts, RangesAreSaidShortly) {
     EXPECT_EQ(batches::ranges_text({}), "");
     EXPECT_EQ(batches::ranges_text({4}), "4");
