@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = StoreError::Kind;
 
-constexpr std::array<const char*, 3> kSuffixes{"", "-wal", "-shm"};
+// A killed restore leaves a journal as well; beside the next copy it would be taken for its own.
+constexpr std::array<const char*, 4> kSuffixes{"", "-wal", "-shm", "-journal"};
 
 /// Whoever was erased in the store that is replaced, and which store that is. Read without opening
 /// it as a store, which would bring an older one up to date. One that cannot be read says nothing.
@@ -81,6 +82,8 @@ std::string restore_store(const std::string& url, const std::string& backup_path
     const std::string fresh = target.path + ".restoring";
     const auto forget = [&fresh] {
         for (const char* suffix : kSuffixes) fs::remove(fresh + suffix);
+        // How far the trail of a copy went that was killed: the next one begins behind it.
+        Station(parse_store_url("sqlite:" + fresh)).forget();
     };
     std::string aside;
     try {
