@@ -55,8 +55,41 @@ uint16_t zigzag(uint16_t now, uint16_t before) {
                                  static_cast<uint16_t>(change >> 15));
 }
 
-/// One step is less than half a pixel, and tissue that trembles by it would be most of the bytes.
-bool moved(uint16_t now, uint16_t kept) { return std::abs(int{now} - int{kept}) > 1; }
+bool moved(uint16_t now, uint16_t kept) {
+    return std::abs(int{now} - int{kept}) > kReviewRestSteps;
+}
+
+/// Numbers below 2^24 as all their low bytes, then the middle and the high ones.
+std::string in_planes(const std::vector<uint32_t>& values) {
+    std::string planes;
+    planes.reserve(3 * values.size());
+    for (const int shift : {0, 8, 16})
+        for (const uint32_t value : values)
+            planes.push_back(static_cast<char>(value >> shift & 0xff));
+    return planes;
+}
+
+/// Edits of surfaces: the first corner by its difference to the one of the edit before, the others
+/// by theirs to the first, which is the lowest.
+struct Corners {
+    std::vector<uint32_t> first, second, third;
+    uint32_t before = 0;
+
+    void add(std::array<uint32_t, 3> corner) {
+        std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
+        const auto change = static_cast<int32_t>(corner[0] - before);
+        first.push_back(static_cast<uint32_t>(change) << 1 ^ static_cast<uint32_t>(change >> 31));
+        second.push_back(corner[1] - corner[0]);
+        third.push_back(corner[2] - corner[0]);
+        before = corner[0];
+    }
+    [[nodiscard]] std::string bytes() const {
+        std::vector<uint32_t> all = first;
+        all.insert(all.end(), second.begin(), second.end());
+        all.insert(all.end(), third.begin(), third.end());
+        return in_planes(all);
+    }
+};
 
 bool same(const sim::SurfaceTriangle& a, const sim::SurfaceTriangle& b) {
     return a.vertex == b.vertex && a.tissue == b.tissue && a.fresh == b.fresh;
@@ -137,16 +170,21 @@ ReviewPart::Numbering ReviewPart::numbering() const {
 /// Each surface as what it changes in the one before; the first changes an empty one.
 void ReviewPart::put_surfaces(std::string& words, std::string& bytes,
                               const Numbering& numbering) const {
-    std::string heads, index, corners, tissues;
+    std::string heads, gaps, tissues;
+    Corners corners;
     const std::vector<sim::SurfaceTriangle>* before = nullptr;
     for (const Surface& surface : surfaces_) {
         uint32_t edits = 0;
+        size_t next = 0;
         for (size_t i = 0; i < surface.triangles.size(); ++i) {
             const sim::SurfaceTriangle& triangle = surface.triangles[i];
             if (before != nullptr && i < before->size() && same((*before)[i], triangle)) continue;
             ++edits;
-            put(index, static_cast<uint32_t>(i));
-            for (const int32_t v : triangle.vertex) put(corners, numbering.number[as_index(v)]);
+            put(gaps, static_cast<uint32_t>(i - next));
+            next = i + 1;
+            corners.add({numbering.number[as_index(triangle.vertex[0])],
+                         numbering.number[as_index(triangle.vertex[1])],
+                         numbering.number[as_index(triangle.vertex[2])]});
             tissues.push_back(static_cast<char>(static_cast<uint8_t>(triangle.tissue) |
                                                 (triangle.fresh != 0 ? 0x80 : 0)));
         }
@@ -154,8 +192,8 @@ void ReviewPart::put_surfaces(std::string& words, std::string& bytes,
         put(heads, edits);
         before = &surface.triangles;
     }
-    words += heads + index + corners;
-    bytes += tissues;
+    words += heads + gaps;
+    bytes += corners.bytes() + tissues;
 }
 
 void ReviewPart::put_damage(std::string& bytes, const Numbering& numbering) const {
@@ -171,29 +209,28 @@ void ReviewPart::put_damage(std::string& bytes, const Numbering& numbering) cons
             }
 }
 
-/// Vertex by vertex, picture after picture: what hardly moves makes long runs. Low bytes of all,
-/// then high bytes, which are nearly all zero.
+/// Picture after picture: the first by its differences from place to place, which lie side by side,
+/// the others by theirs to the one before. Low bytes of all, then high bytes, nearly all zero.
 void ReviewPart::put_places(std::string& bytes, const Numbering& numbering) const {
-    const size_t count = numbering.body.size() + pictures_.back().lines.size();
+    const size_t vertices = numbering.body.size(), count = vertices + pictures_.back().lines.size();
     SplitNumbers places;
     places.low.reserve(3 * count * pictures_.size());
     places.high.reserve(places.low.capacity());
-    for (size_t axis = 0; axis < 3; ++axis)
-        for (size_t n = 0; n < count; ++n) {
-            const auto at = [&](size_t picture) {
-                if (n >= numbering.body.size())
-                    return pictures_[picture].lines[n - numbering.body.size()][axis];
-                const size_t first = std::max<size_t>(picture, numbering.born[n]);
-                return pictures_[first].x[as_index(numbering.body[n])][axis];
-            };
-            uint16_t kept = at(0);
-            places.add(kept);
-            for (size_t p = 1; p < pictures_.size(); ++p) {
-                const uint16_t now = moved(at(p), kept) ? at(p) : kept;
-                places.add(zigzag(now, kept));
-                kept = now;
-            }
+    std::vector<uint16_t> kept(3 * count, 0);
+    for (size_t p = 0; p < pictures_.size(); ++p) {
+        const auto at = [&](size_t n, size_t axis) {
+            if (n >= vertices) return pictures_[p].lines[n - vertices][axis];
+            const size_t first = std::max<size_t>(p, numbering.born[n]);
+            return pictures_[first].x[as_index(numbering.body[n])][axis];
+        };
+        for (size_t i = 0; i < 3 * count; ++i) {
+            const uint16_t seen = at(i % count, i / count);
+            const uint16_t now = p == 0 || moved(seen, kept[i]) ? seen : kept[i];
+            const uint16_t before = p > 0 ? kept[i] : i > 0 ? kept[i - 1] : uint16_t{0};
+            places.add(zigzag(now, before));
+            kept[i] = now;
         }
+    }
     bytes += places.low + places.high;
 }
 

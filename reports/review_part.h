@@ -14,9 +14,11 @@
 
 namespace placode::reports {
 
-inline constexpr double kReviewStepM = 8e-6;        ///< Of a place; a pixel shows some 40 um.
+inline constexpr double kReviewStepM = 8e-6;  ///< Of a place; a pixel shows some 40 um.
+/// A place rests until it is more steps away: trembling tissue would be most of the bytes.
+inline constexpr int kReviewRestSteps = 2;
 inline constexpr double kReviewLeastM = -0.262144;  ///< Place 0: 16 bits reach 524 mm.
-inline constexpr uint32_t kReviewPartVersion = 2;
+inline constexpr uint32_t kReviewPartVersion = 3;
 inline constexpr int kReviewToolFloats = 9;    ///< Place, w x y z, jaw [rad], force [N].
 inline constexpr int kReviewNeedleFloats = 7;  ///< Place, w x y z; all 0 = not in the field.
 

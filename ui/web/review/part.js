@@ -5,11 +5,14 @@
 
 export const FLOATS_OF_TOOL = 9, FLOATS_OF_NEEDLE = 7;
 
+// Differences of both signs are kept as 0, -1, 1, -2, ...
+const unzigzag = (value) => (value >> 1) ^ -(value & 1);
+
 export class Part {
   constructor(buffer) {
     const [version, pictures, vertices, surfaces, points, tools, needles, threadPoints] =
         new Uint32Array(buffer, 0, 8);
-    if (version !== 2) throw new Error("version " + version);
+    if (version !== 3) throw new Error("version " + version);
     Object.assign(this, {pictures, vertices, points, tools, needles, threadPoints});
     let at = 32;
     const take = (Kind, count) => {
@@ -25,9 +28,10 @@ export class Part {
     this.heads = take(Uint32Array, 2 * surfaces);
     let edits = 0;
     for (let s = 0; s < surfaces; ++s) edits += this.heads[2 * s + 1];
-    this.editIndex = take(Uint32Array, edits);
-    this.editCorners = take(Uint32Array, 3 * edits);
+    this.edits = edits;
+    this.editGap = take(Uint32Array, edits);
     this.toolFlags = take(Uint8Array, pictures * tools);
+    this.editCorners = take(Uint8Array, 9 * edits);
     this.editTissue = take(Uint8Array, edits);
     this.pointFlags = take(Uint8Array, pictures * points);
     this.damageSteps = take(Uint8Array, pictures * 3 * vertices);
@@ -65,6 +69,7 @@ export class Part {
     this.picture = -1;
     this.surface = -1;
     this.edit = 0;
+    this.corner = 0;
     this.triangles = 0;
     this.x.fill(0);
     this.damage.fill(0);
@@ -76,21 +81,31 @@ export class Part {
     while (this.picture < wanted) this.next();
   }
 
+  // Column `k` of the corners of edit `e`: its low, middle and high byte lie apart.
+  cornerStep(e, k) {
+    const at = k * this.edits + e, plane = 3 * this.edits, bytes = this.editCorners;
+    return bytes[at] | (bytes[at + plane] << 8) | (bytes[at + 2 * plane] << 16);
+  }
+
   next() {
     const p = ++this.picture, n = 3 * this.places;
-    for (let i = 0, at = p; i < n; ++i, at += this.pictures) {
+    for (let i = 0, at = p * n; i < n; ++i, ++at) {
       const value = this.low[at] | (this.high[at] << 8);
-      // Differences are zigzag numbers: 0, -1, 1, -2, ...
-      this.x[i] = p === 0 ? value : this.x[i] + ((value >> 1) ^ -(value & 1));
+      const before = p > 0 ? this.x[i] : i > 0 ? this.x[i - 1] : 0;
+      this.x[i] = before + unzigzag(value);
     }
     const kinds = 3 * this.vertices;
     for (let i = 0; i < kinds; ++i) this.damage[i] += this.damageSteps[p * kinds + i];
     while (this.surface < this.surfaceOf[p]) {
       ++this.surface;
       this.triangles = this.heads[2 * this.surface];
-      for (let e = this.heads[2 * this.surface + 1]; e > 0; --e, ++this.edit) {
-        const t = this.editIndex[this.edit];
-        for (let k = 0; k < 3; ++k) this.corners[3 * t + k] = this.editCorners[3 * this.edit + k];
+      let t = -1;
+      for (let left = this.heads[2 * this.surface + 1]; left > 0; --left, ++this.edit) {
+        t += 1 + this.editGap[this.edit];
+        this.corner += unzigzag(this.cornerStep(this.edit, 0));
+        this.corners[3 * t] = this.corner;
+        for (const k of [1, 2])
+          this.corners[3 * t + k] = this.corner + this.cornerStep(this.edit, k);
         this.tissue[t] = this.editTissue[this.edit];
       }
     }
