@@ -5,6 +5,7 @@
 // standard, a group, remarks, an invitation, a request to be erased.
 
 #include <QProcess>
+#include <cmath>
 
 #include "db/norm_bands.h"
 #include "db/standards.h"
@@ -66,8 +67,9 @@ inline void FullStore::addAttempt(int64_t user, int number, double points,
     result.score.verdict =
         points >= 70 ? assessment::Verdict::kPassed : assessment::Verdict::kNotYet;
     result.score.rubric_id = "ring_incision";
+    const auto cut = std::to_string(std::lround(std::min(100.0, points + 5)));
     result.score.reasons = {
-        {"ring", "The ring was left open: only 92 % is cut through.", 8, 12, false}};
+        {"ring", "The ring was left open: only " + cut + " % is cut through.", 8, 12, false}};
     // One attempt only: the same recording a second time proves nothing.
     if (user == trainee_ && number == kAttempts - 1)
         result.recording_file = recording_.toStdString();

@@ -212,8 +212,7 @@ class ComparePage : public Page {
                     reports::draw_trajectory(painter, where, *recording, reports::Side::kAbove,
                                              style);
                 },
-                QSize(280, 280), tr("Way of the instruments from above"),
-                nameOf(half.detail.record));
+                QSize(280, 280), tr("Tool paths from above"), nameOf(half.detail.record));
             ways->setFixedHeight(320);
             grid->addWidget(ways, 2, i);
         }

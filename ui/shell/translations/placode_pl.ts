@@ -2773,7 +2773,7 @@
         <translation>Największe pociągnięcie szczęk przez trzymaną tkankę.</translation>
     </message>
     <message>
-        <source>Way of the instrument tips, filtered at 10 Hz, 100 Hz.</source>
+        <source>Length of the paths of the instrument tips, filtered at 10 Hz, 100 Hz.</source>
         <translation>Droga końcówek instrumentów, filtr 10 Hz, 100 Hz.</translation>
     </message>
     <message>
@@ -8017,7 +8017,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Nagrania nie można pokazać.</translation>
     </message>
     <message>
-        <source>Way of the instruments from above</source>
+        <source>Tool paths from above</source>
         <translation>Tor narzędzi z góry</translation>
     </message>
     <message>
