@@ -76,6 +76,39 @@ std::vector<LeftCopy> old_places(Store& store, const std::string& url) {
     return left;
 }
 
+/// Backups in the order of their making, as the trail names them.
+std::vector<std::string> backups_of(Store& store) {
+    std::vector<std::string> paths;
+    for (const AuditRecord& entry : store.audit().of_action("store.backup"))
+        paths.push_back(entry.object);
+    return paths;
+}
+
+bool is_file(const StoreUrl& url) {
+    return url.engine == Engine::kSqlite && url.path != ":memory:";
+}
+
+std::vector<std::string> copies_among(const std::vector<std::string>& backups,
+                                      const StoreUrl& url) {
+    if (!is_file(url)) return {};
+    std::vector<std::string> found = kept_beside(fs::absolute(url.path).string());
+    for (const std::string& path : backups)
+        if (fs::is_regular_file(path)) found.push_back(fs::absolute(path).string());
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+/// What a backup or restore that was killed has left: no use to anybody, and it may hold the
+/// person.
+void remove_half_made(const std::vector<std::string>& backups, const StoreUrl& url) {
+    std::vector<std::string> half_made;
+    for (const std::string& path : backups) half_made.push_back(path + ".part");
+    if (is_file(url)) half_made.push_back(url.path + ".restoring");
+    for (const std::string& path : half_made)
+        for (const char* suffix : {"", "-journal", "-wal", "-shm"}) fs::remove(path + suffix);
+}
+
 std::string lines_of(const char* head, const std::vector<std::string>& lines) {
     if (lines.empty()) return {};
     std::string text = std::string(head) + "\n";
@@ -86,14 +119,7 @@ std::string lines_of(const char* head, const std::vector<std::string>& lines) {
 }  // namespace
 
 std::vector<std::string> copies_of(Store& store, const std::string& url) {
-    const StoreUrl parsed = parse_store_url(url);
-    if (parsed.engine != Engine::kSqlite || parsed.path == ":memory:") return {};
-    std::vector<std::string> found = kept_beside(fs::absolute(parsed.path).string());
-    for (const AuditRecord& entry : store.audit().of_action("store.backup"))
-        if (fs::is_regular_file(entry.object)) found.push_back(fs::absolute(entry.object).string());
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
+    return copies_among(backups_of(store), parse_store_url(url));
 }
 
 Erasure erase_person(Store& store, const std::string& url, int64_t user_id, bool with_attempts) {
@@ -102,12 +128,17 @@ Erasure erase_person(Store& store, const std::string& url, int64_t user_id, bool
     std::vector<std::string> copies;
     try {
         done.store = store.audit().head().store;
+        const std::vector<std::string> backups = backups_of(store);
         std::set<std::string> gone;
-        for (const AuditRecord& entry : store.audit().of_action("store.backup"))
-            if (!fs::exists(entry.object)) gone.insert(entry.object);
+        for (const std::string& path : backups) {
+            if (!fs::exists(path)) gone.insert(path);
+            if (fs::exists(path + ".failed"))
+                done.left.push_back({path + ".failed", "a backup that did not pass its check"});
+        }
         done.gone.assign(gone.begin(), gone.end());
-        copies = copies_of(store, url);
-        done.left = old_places(store, url);
+        copies = copies_among(backups, parse_store_url(url));
+        for (LeftCopy& place : old_places(store, url)) done.left.push_back(std::move(place));
+        remove_half_made(backups, parse_store_url(url));
     } catch (const std::exception& error) {
         done.left.push_back(
             {"all copies", std::string("their list cannot be read: ") + error.what()});

@@ -193,15 +193,16 @@ void Store::backup(const std::string& path) {
         if (std::filesystem::exists(file))
             connection.fail(StoreError::Kind::kConflict,
                             file + " exists and is not overwritten; give another name");
+    // First, so that an erasure knows of it whenever this is killed.
+    UnitOfWork work(connection);
+    context_->append_audit("store.backup", path, "");
+    work.commit();
     TrailHead head;
     keep_checked_copy(connection, path, [this, &head](const std::string& copy) {
         return first_problem(copy, context_->options, &head);
     });
     // A computer that cannot keep a key signs nothing.
     if (!head.station.empty()) write_trail_head(head, head_file_of(path));
-    UnitOfWork work(connection);
-    context_->append_audit("store.backup", path, "");
-    work.commit();
 }
 
 std::unique_ptr<Store> open_store(const std::string& url, const StoreOptions& options) {

@@ -86,6 +86,18 @@ TEST_F(Erasure, GoesThroughEveryCopyThatPlacodeMade) {
     EXPECT_THAT(problems, IsEmpty());
 }
 
+TEST_F(Erasure, KnowsWhatABackupOrRestoreLeftThatWasKilled) {
+    backup("one.db");
+    for (const char* left : {"one.db.part", "placode.db.restoring", "one.db.failed"})
+        fs::copy_file(file("one.db"), file(left));
+    const db::Erasure done = erase();
+    EXPECT_FALSE(fs::exists(file("one.db.part")));
+    EXPECT_FALSE(fs::exists(file("placode.db.restoring")));
+    ASSERT_EQ(done.left.size(), 1U) << "somebody may want to see what was wrong with it";
+    EXPECT_EQ(done.left[0].path, file("one.db.failed"));
+    EXPECT_THAT(done.cleaned, ElementsAre(file("one.db")));
+}
+
 TEST_F(Erasure, LeavesTheAgeOfACopy) {
     backup("one.db");
     const auto old = fs::file_time_type::clock::now() - std::chrono::hours(240);
