@@ -79,6 +79,14 @@ MaxJobCount=20000
 NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
 PartitionName=main Nodes=$host Default=YES MaxTime=INFINITE State=UP
 CONF
+  # It looks for control groups even though nothing here uses them, and for those of version 2 it wants systemd.
+  echo "CgroupPlugin=cgroup/v1" >"$folder/cgroup.conf"
+}
+
+give_up() {
+  tail -n 5 "$folder"/*.log "$folder/munged.said" >&2 2>/dev/null || true
+  stop
+  fail "$1"
 }
 
 start() {
@@ -88,7 +96,7 @@ start() {
   done
   [ ! -e "$folder" ] || fail "$folder: exists; name a folder that does not"
   (umask 077; mkdir -p "$folder" "$folder/state" "$folder/spool")
-  trap 'stop' ERR
+  trap 'give_up "it did not start: the reason stands above"' ERR
   local marked=(env "PLACODE_LOOPBACK_SLURM=$folder")
   (umask 077; head -c 1024 /dev/urandom >"$folder/munge.key")
   # --force: it would refuse a socket below a folder of other rights, as /tmp is.
@@ -102,9 +110,7 @@ start() {
     ! sinfo --noheader -o '%T' 2>/dev/null | grep -qx idle || { echo "export SLURM_CONF=$SLURM_CONF"; return; }
     sleep 0.1
   done
-  tail -n 5 "$folder"/slurm*.log >&2
-  stop
-  fail "the node did not become idle within 30 s"
+  give_up "the node did not become idle within 30 s"
 }
 
 case "$1" in
