@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <type_traits>
 
 #include "sim/core/as_index.h"
 
@@ -39,34 +40,28 @@ uint8_t share_of(float share) {
     return static_cast<uint8_t>(std::lround(255 * std::clamp(share, 0.0F, 1.0F)));
 }
 
-/// Numbers of 16 bits as their low bytes, then their high bytes: alike ones lie together.
-struct SplitNumbers {
-    std::string low, high;
-    void add(uint16_t value) {
-        low.push_back(static_cast<char>(value & 0xff));
-        high.push_back(static_cast<char>(value >> 8));
-    }
-};
+/// Numbers as all their low bytes, then the next ones: alike ones lie together.
+template <class Value>
+std::string in_planes(const std::vector<Value>& values, int planes) {
+    std::string bytes;
+    bytes.reserve(static_cast<size_t>(planes) * values.size());
+    for (int plane = 0; plane < planes; ++plane)
+        for (const Value value : values)
+            bytes.push_back(static_cast<char>(value >> 8 * plane & 0xff));
+    return bytes;
+}
 
 /// Small differences of both signs as small numbers: 0, -1, 1, -2, ...
-uint16_t zigzag(uint16_t now, uint16_t before) {
-    const auto change = static_cast<int16_t>(static_cast<uint16_t>(now - before));
-    return static_cast<uint16_t>((static_cast<uint16_t>(change) << 1) ^
-                                 static_cast<uint16_t>(change >> 15));
+template <class Value>
+Value zigzag(Value now, Value before) {
+    using Signed = std::make_signed_t<Value>;
+    const auto change = static_cast<Signed>(static_cast<Value>(now - before));
+    const auto sign = static_cast<Value>(change < 0 ? -1 : 0);
+    return static_cast<Value>(static_cast<Value>(change) << 1 ^ sign);
 }
 
 bool moved(uint16_t now, uint16_t kept) {
     return std::abs(int{now} - int{kept}) > kReviewRestSteps;
-}
-
-/// Numbers below 2^24 as all their low bytes, then the middle and the high ones.
-std::string in_planes(const std::vector<uint32_t>& values) {
-    std::string planes;
-    planes.reserve(3 * values.size());
-    for (const int shift : {0, 8, 16})
-        for (const uint32_t value : values)
-            planes.push_back(static_cast<char>(value >> shift & 0xff));
-    return planes;
 }
 
 /// Edits of surfaces: the first corner by its difference to the one of the edit before, the others
@@ -77,8 +72,7 @@ struct Corners {
 
     void add(std::array<uint32_t, 3> corner) {
         std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
-        const auto change = static_cast<int32_t>(corner[0] - before);
-        first.push_back(static_cast<uint32_t>(change) << 1 ^ static_cast<uint32_t>(change >> 31));
+        first.push_back(zigzag(corner[0], before));
         second.push_back(corner[1] - corner[0]);
         third.push_back(corner[2] - corner[0]);
         before = corner[0];
@@ -87,7 +81,7 @@ struct Corners {
         std::vector<uint32_t> all = first;
         all.insert(all.end(), second.begin(), second.end());
         all.insert(all.end(), third.begin(), third.end());
-        return in_planes(all);
+        return in_planes(all, 3);  // no body has 2^23 vertices
     }
 };
 
@@ -213,9 +207,8 @@ void ReviewPart::put_damage(std::string& bytes, const Numbering& numbering) cons
 /// the others by theirs to the one before. Low bytes of all, then high bytes, nearly all zero.
 void ReviewPart::put_places(std::string& bytes, const Numbering& numbering) const {
     const size_t vertices = numbering.body.size(), count = vertices + pictures_.back().lines.size();
-    SplitNumbers places;
-    places.low.reserve(3 * count * pictures_.size());
-    places.high.reserve(places.low.capacity());
+    std::vector<uint16_t> steps;
+    steps.reserve(3 * count * pictures_.size());
     std::vector<uint16_t> kept(3 * count, 0);
     for (size_t p = 0; p < pictures_.size(); ++p) {
         const auto at = [&](size_t n, size_t axis) {
@@ -227,11 +220,11 @@ void ReviewPart::put_places(std::string& bytes, const Numbering& numbering) cons
             const uint16_t seen = at(i % count, i / count);
             const uint16_t now = p == 0 || moved(seen, kept[i]) ? seen : kept[i];
             const uint16_t before = p > 0 ? kept[i] : i > 0 ? kept[i - 1] : uint16_t{0};
-            places.add(zigzag(now, before));
+            steps.push_back(zigzag(now, before));
             kept[i] = now;
         }
     }
-    bytes += places.low + places.high;
+    bytes += in_planes(steps, 2);
 }
 
 bool ReviewPart::has_needle() const {
@@ -242,11 +235,11 @@ bool ReviewPart::has_needle() const {
 
 /// As they are: from picture to picture a thread has more points or fewer.
 void ReviewPart::put_threads(std::string& bytes) const {
-    SplitNumbers places;
+    std::vector<uint16_t> places;
     for (size_t axis = 0; axis < 3; ++axis)
         for (const Picture& picture : pictures_)
-            for (const Place& place : picture.thread) places.add(place[axis]);
-    bytes += places.low + places.high;
+            for (const Place& place : picture.thread) places.push_back(place[axis]);
+    bytes += in_planes(places, 2);
 }
 
 std::string ReviewPart::encoded() const {
