@@ -7,6 +7,7 @@
 #include <set>
 
 #include "db/sql_connection.h"
+#include "db/sqlite_file.h"
 #include "db/station.h"
 #include "db/store_place.h"
 #include "db/store_url.h"
@@ -102,11 +103,8 @@ std::vector<std::string> copies_among(const std::vector<std::string>& backups,
 /// What a backup or restore that was killed has left: no use to anybody, and it may hold the
 /// person.
 void remove_half_made(const std::vector<std::string>& backups, const StoreUrl& url) {
-    std::vector<std::string> half_made;
-    for (const std::string& path : backups) half_made.push_back(path + ".part");
-    if (is_file(url)) half_made.push_back(url.path + ".restoring");
-    for (const std::string& path : half_made)
-        for (const char* suffix : {"", "-journal", "-wal", "-shm"}) fs::remove(path + suffix);
+    for (const std::string& path : backups) remove_sqlite_file(path + kPartSuffix);
+    if (is_file(url)) remove_sqlite_file(url.path + kRestoringSuffix);
 }
 
 std::string lines_of(const char* head, const std::vector<std::string>& lines) {
@@ -132,8 +130,8 @@ Erasure erase_person(Store& store, const std::string& url, int64_t user_id, bool
         std::set<std::string> gone;
         for (const std::string& path : backups) {
             if (!fs::exists(path)) gone.insert(path);
-            if (fs::exists(path + ".failed"))
-                done.left.push_back({path + ".failed", "a backup that did not pass its check"});
+            if (fs::exists(path + kFailedSuffix))
+                done.left.push_back({path + kFailedSuffix, "a backup that did not pass its check"});
         }
         done.gone.assign(gone.begin(), gone.end());
         copies = copies_among(backups, parse_store_url(url));

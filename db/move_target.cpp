@@ -163,7 +163,7 @@ std::unique_ptr<StoreContext> MoveTarget::open_empty(std::unique_ptr<StoreContex
                                                      const StorePlace& place) {
     if (url_.engine == Engine::kSqlite) {
         old.reset();
-        for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(working().path + suffix);
+        remove_sqlite_file(working().path);
         return open(place);
     }
     Connection& connection = old->connection;

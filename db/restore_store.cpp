@@ -3,7 +3,6 @@
 // A backup takes the place of an embedded store. At every moment there is one whole store.
 
 #include <QDateTime>
-#include <array>
 #include <filesystem>
 
 #include "db/durable_file.h"
@@ -21,9 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Kind = StoreError::Kind;
-
-// A killed restore leaves a journal as well; beside the next copy it would be taken for its own.
-constexpr std::array<const char*, 4> kSuffixes{"", "-wal", "-shm", "-journal"};
 
 /// Whoever was erased in the store that is replaced, and which store that is. Read without opening
 /// it as a store, which would bring an older one up to date. One that cannot be read says nothing.
@@ -79,9 +75,9 @@ std::string restore_store(const std::string& url, const std::string& backup_path
     if (!fs::is_regular_file(backup_path))
         throw StoreError(Kind::kNotFound, operation + ": there is no such backup");
     // 1. The backup is proved on a copy, which becomes the new store: it stays as it is itself.
-    const std::string fresh = target.path + ".restoring";
+    const std::string fresh = target.path + kRestoringSuffix;
     const auto forget = [&fresh] {
-        for (const char* suffix : kSuffixes) fs::remove(fresh + suffix);
+        remove_sqlite_file(fresh);
         // How far the trail of a copy went that was killed: the next one begins behind it.
         Station(parse_store_url("sqlite:" + fresh)).forget();
     };

@@ -194,6 +194,10 @@ std::string sqlite_integrity_problem(Connection& connection) {
     return answer == "ok" ? "" : answer;
 }
 
+void remove_sqlite_file(const std::string& path) {
+    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(path + suffix);
+}
+
 void copy_sqlite_store(Connection& connection, const std::string& path) {
     const int file = ::open(path.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0600);
     if (file < 0)

@@ -31,6 +31,15 @@ void claim_sqlite_file(Connection& connection);
 /// First problem that SQLite's integrity check finds, or "".
 [[nodiscard]] std::string sqlite_integrity_problem(Connection& connection);
 
+/// Behind the name of a copy: it is being written; it did not pass its check. Behind that of a
+/// store: a backup that is about to take its place.
+inline constexpr const char *kPartSuffix = ".part", *kFailedSuffix = ".failed",
+                            *kRestoringSuffix = ".restoring";
+
+/// The file and what SQLite keeps beside it: a journal that a killed program left would be taken
+/// for that of the next file of this name. Throws std::filesystem::filesystem_error.
+void remove_sqlite_file(const std::string& path);
+
 /// A consistent copy (0600), while others may read and write, on the disk when it returns. Throws
 /// StoreError when `path` exists.
 void copy_sqlite_store(Connection& connection, const std::string& path);

@@ -31,16 +31,16 @@ std::string file_stamp() {
 /// @param deeper what else may be wrong with it; "" = nothing.
 void keep_checked_copy(Connection& connection, const std::string& path,
                        const std::function<std::string(const std::string&)>& deeper = {}) {
-    const std::string part = path + ".part";
-    std::filesystem::remove(part);
+    const std::string part = path + kPartSuffix, failed = path + kFailedSuffix;
+    remove_sqlite_file(part);
     copy_sqlite_store(connection, part);
     std::string problem = copy_problem(part);
     if (problem.empty() && deeper) problem = deeper(part);
     if (!problem.empty()) {
-        std::filesystem::rename(part, path + ".failed");
+        std::filesystem::rename(part, failed);
         connection.fail(StoreError::Kind::kDamaged,
                         "the copy does not pass its check (" + problem + ") and is kept as " +
-                            path + ".failed; check the store with `placodectl check`");
+                            failed + "; check the store with `placodectl check`");
     }
     std::filesystem::rename(part, path);
     sync_folder_of(path);
