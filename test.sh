@@ -8,6 +8,8 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 . scripts/prepare.sh
+# A batch goes through a Slurm of the test's own. Whoever only runs Placode needs none of it.
+placode_install slurmctld slurmd slurm-client munge
 placode_prepare release all
 [ "${1:-}" != --long ] || exec scripts/long.sh "${@:2}"
 built_s=$SECONDS
