@@ -16,6 +16,7 @@
 #include "batches/manifest.h"
 #include "batches/merge.h"
 #include "batches/shard.h"
+#include "tests/batch_folder.h"
 #include "tests/programs_fixture.h"
 
 namespace placode::test {
@@ -23,16 +24,11 @@ namespace THIS_TEST {
 
 using testing::HasSubstr;
 
-/// About 1,500 tets, two substeps: a field that a test can afford.
-constexpr const char* kCoarse =
-    R"({"edge_ring_m": 0.0014, "edge_placode_m": 0.0018, "edge_outer_m": 0.0032,
-        "solver": {"substeps": 2}})";
-
 class BatchPrograms : public Programs {
  protected:
     void SetUp() override {
         Programs::SetUp();
-        write_text(file("coarse.json"), kCoarse);
+        write_text(file("coarse.json"), kCoarseScene);
     }
 
     /// Eight attempts of 0.3 s in eight shards.
@@ -54,10 +50,7 @@ class BatchPrograms : public Programs {
         return read_text(file(name + "/result.jsonl"));
     }
     [[nodiscard]] int shards_done(const std::string& name) const {
-        int done = 0;
-        for (const auto& entry : fs::directory_iterator(file(name + "/shards")))
-            done += entry.path().extension() == ".jsonl" ? 1 : 0;
-        return done;
+        return static_cast<int>(shards_in(file(name)).size());
     }
     /// Starts the runner and kills it, as power would, once so many shards are there.
     void run_until(const std::string& name, int shards) const {

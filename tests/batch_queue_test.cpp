@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "db/work_queue.h"
+#include "tests/coarse_scene.h"
 #include "tests/programs_fixture.h"
 
 namespace placode::test {
@@ -60,9 +61,7 @@ class BatchQueue : public Programs {
         return run("placodectl", station_line() + arguments, environment());
     }
     void plan(const std::string& name) const {
-        write_text(file("coarse.json"),
-                   R"({"edge_ring_m": 0.0014, "edge_placode_m": 0.0018, "edge_outer_m": 0.0032,
-                       "solver": {"substeps": 2}})");
+        write_text(file("coarse.json"), kCoarseScene);
         const Outcome planned =
             ctl("batch plan rollouts --out " + name +
                 " --tasks touch_targets --policies nothing,random --seeds 1-3 --time-limit 0.3 "

@@ -10,6 +10,7 @@
 #include <set>
 #include <thread>
 
+#include "tests/batch_folder.h"
 #include "tests/programs_fixture.h"
 
 namespace placode::test {
@@ -30,12 +31,7 @@ class BatchSlurm : public Programs {
         if (!fs::exists(file("slurm"))) return;
         EXPECT_EQ(slurm("stop").status, 0);
     }
-    [[nodiscard]] std::set<std::string> done() const {
-        std::set<std::string> names;
-        for (const auto& entry : fs::directory_iterator(file("b/shards")))
-            if (entry.path().extension() == ".jsonl") names.insert(entry.path().filename());
-        return names;
-    }
+    [[nodiscard]] std::set<std::string> done() const { return shards_in(file("b")); }
     /// Starts Slurm, submits what is missing, waits for so many shards, and turns the power off.
     void work_until(size_t shards) const {
         const Outcome started = slurm("start");
@@ -59,8 +55,7 @@ TEST_F(BatchSlurm, WithoutPowerTwiceItEndsWithTheSameBits) {
     if (shell("env PATH=\"$PATH:/usr/sbin\" sh -c 'command -v slurmctld'").status != 0)
         GTEST_SKIP() << "Slurm is not installed";
     const size_t all = std::getenv("PLACODE_LONG_TESTS") != nullptr ? 200 : 12;
-    write_text(file("coarse.json"), R"({"edge_ring_m": 0.0014, "edge_placode_m": 0.0018,
-        "edge_outer_m": 0.0032, "solver": {"substeps": 2}})");
+    write_text(file("coarse.json"), kCoarseScene);
     ASSERT_EQ(ctl("batch plan rollouts --out a --tasks touch_targets --policies random --seeds 1-" +
                   std::to_string(all) + " --time-limit 0.3 --scene-changes coarse.json --record")
                   .status,

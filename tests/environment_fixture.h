@@ -9,13 +9,9 @@
 
 #include "environment/environment.h"
 #include "sim/core/random.h"
+#include "tests/coarse_scene.h"
 
 namespace placode::test {
-
-/// About 1,500 tets, two substeps.
-inline constexpr const char* kCoarseScene =
-    R"({"edge_ring_m": 0.0014, "edge_placode_m": 0.0018, "edge_outer_m": 0.0032,
-        "solver": {"substeps": 2}})";
 
 inline environment::EnvironmentOptions coarse() {
     environment::EnvironmentOptions options;

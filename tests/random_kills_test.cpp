@@ -22,22 +22,34 @@ constexpr double kLost_s = 0.5;
 
 std::string numbered(const char* word, int n) { return word + std::to_string(n); }
 
-TEST_F(RandomKills, AnAccountThatWasAcknowledgedIsThere) {
-    add_user("admin", "administrator");
+/// Accounts, one a round. `all`: who is there besides the one of the round.
+class AccountKills : public RandomKills {
+ protected:
+    void SetUp() override {
+        RandomKills::SetUp();
+        add_user("admin", "administrator");
+    }
+    [[nodiscard]] Work adding(const char* word) {
+        Work work;
+        work.begin = [this, word](int n) { return start_ctl("user add " + numbered(word, n)); };
+        work.is_there = [this, word](int n) {
+            auto found = logins(store);
+            const bool there = found.erase(numbered(word, n)) > 0;
+            EXPECT_EQ(found, all) << "of those before none is missing and none is there twice";
+            return there;
+        };
+        work.again = [this, word](int n, bool was_there) {
+            add_once(numbered(word, n), was_there);
+            all.insert(numbered(word, n));
+        };
+        return work;
+    }
+
     std::set<std::string> all{"admin"};
-    Work work;
-    work.begin = [&](int n) { return start_ctl("user add " + numbered("user", n)); };
-    work.is_there = [&](int n) {
-        auto found = logins(store);
-        const bool there = found.erase(numbered("user", n)) > 0;
-        EXPECT_EQ(found, all) << "of those before none is missing and none is there twice";
-        return there;
-    };
-    work.again = [&](int n, bool was_there) {
-        add_once(numbered("user", n), was_there);
-        all.insert(numbered("user", n));
-    };
-    kill_often("kills: user add", times(2, 170), work);
+};
+
+TEST_F(AccountKills, AnAccountThatWasAcknowledgedIsThere) {
+    kill_often("kills: user add", times(2, 170), adding("user"));
 }
 
 TEST_F(RandomKills, ACourseThatWasAssignedIsAssignedOnce) {
@@ -158,16 +170,15 @@ TEST_F(RandomKills, ARestoreLeavesTheOldOrTheNewStoreAndKeepsTheOld) {
     kill_often("kills: restore", times(1, 120), work);
 }
 
-TEST_F(RandomKills, OfSeveralWritersOneIsKilledAndTheOthersLoseNothing) {
-    add_user("admin", "administrator");
-    std::set<std::string> all{"admin"};
+TEST_F(AccountKills, OfSeveralWritersOneIsKilledAndTheOthersLoseNothing) {
     std::vector<RunningProgram> others;
     const std::vector<std::string> names{"b", "c", "d"};
-    Work work;
+    const Work one = adding("a");
+    Work work = one;
     work.begin = [&](int n) {
         for (const std::string& each : names)
             others.push_back(start_ctl("user add " + each + std::to_string(n), each));
-        return start_ctl("user add " + numbered("a", n));
+        return one.begin(n);
     };
     work.is_there = [&](int n) {
         for (size_t i = 0; i < others.size(); ++i) {
@@ -176,14 +187,7 @@ TEST_F(RandomKills, OfSeveralWritersOneIsKilledAndTheOthersLoseNothing) {
             all.insert(names[i] + std::to_string(n));
         }
         others.clear();
-        auto found = logins(store);
-        const bool there = found.erase(numbered("a", n)) > 0;
-        EXPECT_EQ(found, all);
-        return there;
-    };
-    work.again = [&](int n, bool was_there) {
-        add_once(numbered("a", n), was_there);
-        all.insert(numbered("a", n));
+        return one.is_there(n);
     };
     kill_often("kills: one of four writers", times(1, 100), work);
 }
