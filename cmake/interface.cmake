@@ -16,8 +16,13 @@ target_link_options(placode_interface PRIVATE -Wl,--exclude-libs,ALL -Wl,--as-ne
 
 # --- installed: library, header, pkg-config file ---------------------------------------------------
 include(GNUInstallDirs)
-install(TARGETS placode_interface LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES interface/placode.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/placode)
+# lib/MACHINE as in Debian, so that compilers for other machines do not find it.
+if(CMAKE_LIBRARY_ARCHITECTURE AND CMAKE_INSTALL_LIBDIR STREQUAL "lib")
+  set(CMAKE_INSTALL_LIBDIR lib/${CMAKE_LIBRARY_ARCHITECTURE})
+endif()
+install(TARGETS placode_interface
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
+install(FILES interface/placode.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/placode COMPONENT development)
 # The prefix is found from where the file lies: the folder may be moved.
 file(RELATIVE_PATH placode_pc_up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/placode.pc @ONLY CONTENT
@@ -31,7 +36,7 @@ Version: @PROJECT_VERSION@
 Libs: -L\${libdir} -lplacode
 Cflags: -I\${includedir}/placode
 ")
-install(FILES ${CMAKE_BINARY_DIR}/placode.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${CMAKE_BINARY_DIR}/placode.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
 # --- python: the package placode, where Python, numpy and pybind11 are installed ---------------------
 # Debian's Python, to which its numpy and pybind11 belong, and not one that happens to come first in the path.
@@ -57,8 +62,8 @@ if(Python3_Development.Module_FOUND AND Python3_NumPy_FOUND AND PYBIND11_INCLUDE
     file(CREATE_LINK ${file} ${python_build}/placode/${name} SYMBOLIC)
   endforeach()
   set(python_packages lib/python3/dist-packages)
-  install(TARGETS placode_python LIBRARY DESTINATION ${python_packages}/placode)
-  install(FILES ${python_files} DESTINATION ${python_packages}/placode)
+  install(TARGETS placode_python LIBRARY DESTINATION ${python_packages}/placode COMPONENT python)
+  install(FILES ${python_files} DESTINATION ${python_packages}/placode COMPONENT python)
 else()
   message(STATUS "No Python package: install python3-dev, python3-numpy and pybind11-dev for it")
 endif()
