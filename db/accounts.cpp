@@ -32,6 +32,7 @@ int64_t Accounts::create(const NewUser& user) {
                        has_role(user.roles, Role::kAdministrator) && !any();
     connection_.begin_operation("create the user \"" + user.login + "\" in");
     if (!first) context_.need(Action::kManageUsers);
+    need_accounts();
     const std::string hash = check_new_user(user);
     UnitOfWork work(connection_);
     const int64_t id = insert_user(user, hash);
@@ -40,11 +41,16 @@ int64_t Accounts::create(const NewUser& user) {
     return id;
 }
 
+void Accounts::need_free_login(const std::string& key, int64_t but_of) {
+    Statement taken(connection_,
+                    "SELECT account_id FROM persons WHERE login_key = ? AND account_id <> ?");
+    if (taken.run(key, but_of).next())
+        connection_.fail(Kind::kConflict, "the login is taken; choose another one");
+}
+
 int64_t Accounts::insert_user(const NewUser& user, const std::string& hash) {
     const std::string key = login_key(user.login);
-    Statement taken(connection_, "SELECT account_id FROM persons WHERE login_key = ?");
-    if (taken.run(key).next())
-        connection_.fail(Kind::kConflict, "the login is taken; choose another one");
+    need_free_login(key);
     Statement insert(connection_,
                      "INSERT INTO accounts (password_hash, roles, active, demonstration, "
                      "created_utc, password_given) VALUES (?, ?, 1, ?, ?, ?) RETURNING id");

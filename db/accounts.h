@@ -63,6 +63,19 @@ class Accounts {
     /// Everybody, in a store that was made to be looked at (db/demonstration.h); else nobody.
     [[nodiscard]] std::vector<UserRecord> demonstrators();
 
+    // accounts_local_profile.cpp: one person alone on this computer, without a password. Whoever
+    // can open the file of such a store is that person, so nobody else may be in it.
+    /// Makes the first account of a store that is a file: an administrator who trains. Throws
+    /// kRefused where there is an account already, or a server.
+    int64_t begin_alone(const std::string& display_name);
+    /// Who may come in without a password; nullopt = nobody. May be asked before anybody signed in.
+    [[nodiscard]] std::optional<UserRecord> local_profile();
+    /// Signs the local profile in: kWrong where there is none.
+    SignIn enter();
+    /// The local profile becomes an account as all others: name, login and password (roles stay).
+    /// Throws as create(), and kRefused when who acts is not the local profile.
+    void name_local_profile(const NewUser& user);
+
     // accounts_pin.cpp
     /// Four to twelve digits for a quick return at a shared station; empty = none any more. Throws
     /// kRefused for a PIN that is too easy. A new password takes the PIN away.
@@ -95,6 +108,10 @@ class Accounts {
     void need_another_administrator(const UserRecord& user);
     /// Inside a transaction, everything checked.
     int64_t insert_user(const NewUser& user, const std::string& hash);
+    /// Throws kRefused while the store is one person's without a password.
+    void need_accounts();
+    /// Throws kConflict when another account has this login.
+    void need_free_login(const std::string& key, int64_t but_of = 0);
     /// Throws kRefused for what a new account may not be; returns the hash of the password.
     [[nodiscard]] std::string check_new_user(const NewUser& user);
 

@@ -25,6 +25,7 @@ std::string new_code() {
 std::string Accounts::invite(const InvitationRecord& invitation) {
     connection_.begin_operation("invite somebody to");
     context_.need(Action::kManageUsers);
+    need_accounts();
     if (invitation.roles == 0) connection_.fail(Kind::kRefused, "the invitation has no role");
     if (!curriculum::utc_seconds(invitation.expires_utc))
         connection_.fail(Kind::kRefused, "found the date \"" + invitation.expires_utc +

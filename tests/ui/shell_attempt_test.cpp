@@ -75,7 +75,7 @@ void ShellAttemptTest::initTestCase() {
              "build placode-sim first: this test starts the real simulator");
     shell_ = std::make_unique<ShellHarness>();
     ShellHarness& shell = *shell_;
-    QVERIFY(shell.arrives(PageId::kSetup));
+    QVERIFY(shell.setsUpStation());
     QVERIFY(shell.type("display_name", "Ada Admin"));
     QVERIFY(shell.type("login", "ada"));
     QVERIFY(shell.type("password", "correct horse"));

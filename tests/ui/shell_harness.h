@@ -36,7 +36,8 @@ class ShellHarness {
         stop();
         ShellOptions options;
         // A lock is reported after 0.3 s instead of 5 s.
-        options.store_url = "sqlite:" + path(file_).toStdString() + "?timeout_ms=300";
+        if (!without_store)
+            options.store_url = "sqlite:" + path(file_).toStdString() + "?timeout_ms=300";
         options.language = "en";
         options.theme = "light";
         options.settings_file = path("settings.ini");
@@ -260,11 +261,16 @@ class ShellHarness {
         if (area != nullptr && widget != nullptr) area->ensureWidgetVisible(widget, 0, 200);
     }
 
+    /// First start: chooses the way of a station for several people.
+    [[nodiscard]] bool setsUpStation() {
+        return arrives(PageId::kSetup) && click("way_station") &&
+               QTest::qWaitFor([this] { return find<QLineEdit>("display_name") != nullptr; });
+    }
+
     /// First start: the administrator "ada" and the demonstration accounts.
     [[nodiscard]] bool setUpWithDemonstration() {
-        if (!arrives(PageId::kSetup) || !type("display_name", "Ada Admin") ||
-            !type("login", "ada") || !type("password", "correct horse") ||
-            !type("password_again", "correct horse"))
+        if (!setsUpStation() || !type("display_name", "Ada Admin") || !type("login", "ada") ||
+            !type("password", "correct horse") || !type("password_again", "correct horse"))
             return false;
         find<QAbstractButton>("add_demonstration")->setChecked(true);
         return click("create_administrator") && arrives(PageId::kLogin);
@@ -277,7 +283,8 @@ class ShellHarness {
     QStringList more_arguments;  ///< Of the next start(), for the simulator.
     QString simulator = PLACODE_BIN_DIR "/placode-sim";  ///< Of the next start().
     int lock_after_s = 0;                                ///< Of the next start().
-    QString open_this;  ///< Answer to the next dialog for a file to read.
+    bool without_store = false;  ///< Of the next start(): no --store is given.
+    QString open_this;           ///< Answer to the next dialog for a file to read.
 
  private:
     void pressInDialog(const QString& name) {

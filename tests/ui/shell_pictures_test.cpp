@@ -14,6 +14,7 @@
 
 #include "full_store.h"
 #include "ui/shell/page_tour.h"
+#include "ui/shell/setup_ways.h"
 
 namespace placode::ui {
 
@@ -127,10 +128,13 @@ void ShellPicturesTest::check(const QString& name, const QWidget& shown) {
 void ShellPicturesTest::takeBeforeSignIn() {
     for (const char* language : kLanguages) {
         shell_->context().setLanguage(language);
-        for (const auto& [name, page] : {std::pair{"setup", PageId::kSetup},
-                                         {"login", PageId::kLogin},
-                                         {"join", PageId::kJoin}}) {
-            shell_->window().visit({page, 0, {}, {}});
+        for (const auto& [name, place] :
+             {std::pair<const char*, Place>{"setup", {PageId::kSetup, 0, {}, {}}},
+              {"setup_station", setup_place(kStationWay)},
+              {"setup_server", setup_place(kServerWay)},
+              {"login", {PageId::kLogin, 0, {}, {}}},
+              {"join", {PageId::kJoin, 0, {}, {}}}}) {
+            shell_->window().visit(place);
             settle(*shell_);
             check(name, shell_->window());
         }

@@ -9,6 +9,7 @@
 #include "reports/people_file.h"
 #include "ui/shell/account_fields.h"
 #include "ui/shell/export_folder.h"
+#include "ui/shell/local_profile_card.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -36,8 +37,13 @@ class AccountPage : public Page {
         layout->addWidget(
             make_label(tr("Since: %1").arg(format_when(context.user().created_utc)), "muted"));
         column->addWidget(make_card(layout));
-        column->addWidget(passwordCard());
-        column->addWidget(pinCard());
+        const auto profile = context.store().accounts().local_profile();
+        if (profile && profile->id == context.user().id) {
+            column->addWidget(make_local_profile_card(context, this));
+        } else {
+            column->addWidget(passwordCard());
+            column->addWidget(pinCard());
+        }
         column->addWidget(dataCard());
         column->addWidget(erasureCard());
         column->addStretch();

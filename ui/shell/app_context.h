@@ -74,6 +74,13 @@ class AppContext : public QObject {
     [[nodiscard]] bool restoreBackup(const QString& file);
     /// Another file from now on, also at the next start without --store.
     [[nodiscard]] bool chooseStore(const QString& file);
+    /// The same for a centre's server; `address` without a password. What was open stays open when
+    /// the server cannot be reached.
+    [[nodiscard]] bool chooseServer(const QString& address);
+    /// Whether the store that was to be opened is one that was chosen and not this computer's own.
+    [[nodiscard]] bool storeWasChosen() const;
+    void useOwnStore();  ///< From the next openStore() on, and at the next start.
+    [[nodiscard]] bool storeIsFile() const;  ///< On this computer; else a server's.
     /// From now on a start without this store is not a first start.
     void rememberStore();
     /// @pre storeIsOpen(); throws StoreError(kUnavailable) otherwise, and kRefused when the

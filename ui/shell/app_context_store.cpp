@@ -104,6 +104,30 @@ bool AppContext::chooseStore(const QString& file) {
     return true;
 }
 
+bool AppContext::chooseServer(const QString& address) {
+    const std::string before = store_url_;
+    store_url_ = address.toStdString();
+    if (!openStore()) {
+        store_url_ = before;
+        (void)openStore();
+        return false;
+    }
+    settings_->setValue(kChosenStore, address);
+    return true;
+}
+
+bool AppContext::storeWasChosen() const {
+    const QString chosen = settings_->value(kChosenStore).toString();
+    return !chosen.isEmpty() && chosen.toStdString() == store_url_;
+}
+
+void AppContext::useOwnStore() {
+    settings_->remove(kChosenStore);
+    store_url_ = db::default_store_url();
+}
+
+bool AppContext::storeIsFile() const { return store_url_.starts_with("sqlite:"); }
+
 db::Store& AppContext::store() {
     if (!store_) {
         throw db::StoreError(db::StoreError::Kind::kUnavailable,

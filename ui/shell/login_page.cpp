@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QTimer>
 #include <algorithm>
+#include <optional>
 
 #include "db/demonstration.h"
 #include "ui/shell/form_keys.h"
@@ -24,9 +25,11 @@ class LoginPage : public Page {
     LoginPage(AppContext& context, const Place& place) : Page(context) {
         // Scrolls where the screen is small or its scale is large.
         QVBoxLayout* outer = make_column(this, 520);
+        (void)context_.problemOf([&] { alone_ = context_.store().accounts().local_profile(); });
         outer->addStretch(2);
-        outer->addWidget(buildCard(), 0, Qt::AlignHCenter);
+        outer->addWidget(alone_ ? buildCardOfOne(place) : buildCard(), 0, Qt::AlignHCenter);
         outer->addStretch(3);
+        if (alone_) return;
         timer_.setInterval(1000);
         connect(&timer_, &QTimer::timeout, this, [this] { countDown(); });
         const QString last = context_.storeSetting("last_login").toString();
@@ -43,13 +46,40 @@ class LoginPage : public Page {
 
     [[nodiscard]] QString title() const override { return tr("Sign in"); }
     [[nodiscard]] QVariantMap state() const override {
+        if (alone_) return {{"note", note_->text()}};
         return {{"login", login_->text()},
                 {"note", note_->text()},
                 {"message", message_->isHidden() ? QString() : message_->text()}};
     }
 
  private:
-    QWidget* buildCard() {
+    /// One person without a password: one button, and nobody else can sign in.
+    QWidget* buildCardOfOne(const Place& place) {
+        QVBoxLayout* layout = beginCard();
+        note_->setText(place.state.value("note").toString());
+        note_->setVisible(!note_->text().isEmpty());
+        button_ = make_button(context_, tr("Go on as %1").arg(qstr(alone_->display_name)),
+                              "primary", "next");
+        button_->setObjectName("enter");
+        button_->setLayoutDirection(Qt::RightToLeft);
+        button_->setProperty("scale", "large");
+        layout->addWidget(button_);
+        layout->addWidget(make_label(
+            tr("This profile has no password. Under My account you can make an account of it."),
+            "small"));
+        connect(button_, &QPushButton::clicked, this, [this] {
+            context_.guard(tr("Signing in"), [this] {
+                const db::SignIn in = context_.store().accounts().enter();
+                // Another program made an account of it meanwhile: then with its password.
+                if (!in.user) return Q_EMIT go({PageId::kLogin, 0, {}, {}});
+                context_.signIn(*in.user);
+            });
+        });
+        QTimer::singleShot(0, this, [this] { button_->setFocus(Qt::OtherFocusReason); });
+        return endCard(layout);
+    }
+
+    QVBoxLayout* beginCard() {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace16);
         auto* head = new QHBoxLayout;
@@ -64,6 +94,18 @@ class LoginPage : public Page {
         note_ = make_label({}, "warn");
         note_->setObjectName("login_note");
         layout->addWidget(note_);
+        return layout;
+    }
+
+    QWidget* endCard(QVBoxLayout* layout) {
+        QFrame* card = make_card(layout);
+        layout->setContentsMargins(kSpace32, kSpace32, kSpace32, kSpace32);
+        card->setFixedWidth(460);
+        return card;
+    }
+
+    QWidget* buildCard() {
+        QVBoxLayout* layout = beginCard();
         (void)context_.problemOf(
             [&] { demonstrators_ = context_.store().accounts().demonstrators(); });
         addPeople(layout);
@@ -96,10 +138,7 @@ class LoginPage : public Page {
         });
         connect(button_, &QPushButton::clicked, this, [this] { signIn(); });
         enter_submits({login_, password_}, this, [this] { signIn(); });
-        QFrame* card = make_card(layout);
-        layout->setContentsMargins(kSpace32, kSpace32, kSpace32, kSpace32);
-        card->setFixedWidth(460);
-        return card;
+        return endCard(layout);
     }
 
     /// Whether somebody of this name may sign in to the store that is open.
@@ -265,6 +304,7 @@ class LoginPage : public Page {
     QPushButton* button_ = nullptr;
     QTimer timer_;
     std::vector<db::UserRecord> demonstrators_;
+    std::optional<db::UserRecord> alone_;
     int wait_s_ = 0;
 };
 

@@ -61,6 +61,7 @@ void MainWindow::begin() {
         })) {
         if (context_.storeIsMissing()) return showMissingStore();
         showRetry(tr("Placode cannot open its store."), again);
+        if (context_.storeWasChosen()) offerOwnStore(again);
         return;
     }
     showPlace({first ? PageId::kSetup : PageId::kLogin, 0, {}, {}});
@@ -207,6 +208,18 @@ void MainWindow::showRetry(const QString& text, const std::function<void()>& aga
     content_->addWidget(blank);
     updateFrame();
     button->setFocus();
+}
+
+void MainWindow::offerOwnStore(const std::function<void()>& again) {
+    QPushButton* own = make_button(context_, tr("Use this computer's own store"), "quiet");
+    own->setObjectName("use_own_store");
+    const auto use = [this, again] {
+        context_.useOwnStore();
+        again();
+    };
+    connect(own, &QPushButton::clicked, this, use, Qt::QueuedConnection);
+    auto* layout = static_cast<QVBoxLayout*>(shown_->layout());
+    layout->insertWidget(layout->count() - 1, own, 0, Qt::AlignHCenter);
 }
 
 void MainWindow::updateFrame() {

@@ -72,6 +72,8 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] bool mayTakeBack();
     void showPlace(const Place& place);
     void showRetry(const QString& text, const std::function<void()>& again);
+    /// A way out below it: the store that was chosen is another computer's, and that may be gone.
+    void offerOwnStore(const std::function<void()>& again);
     void showMissingStore();
     void announce(const QString& text, const QString& written = {});
     void goBack();

@@ -95,7 +95,11 @@ bool MainWindow::closesNotice(QObject* object, QEvent* event) {
 
 void MainWindow::lock() {
     if (!context_.signedIn()) return;
-    if (context_.launcher().running() || handedOver() ||
+    // Where there is no password, a lock keeps nobody out.
+    bool alone = false;
+    (void)context_.problemOf(
+        [&] { alone = context_.store().accounts().local_profile().has_value(); });
+    if (alone || context_.launcher().running() || handedOver() ||
         QApplication::activeModalWidget() != nullptr) {
         idle_.start(context_.lockAfterSeconds() * 1000);
         return;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// First start: nobody has an account yet. Creates the administrator and, if wanted, one
+// First start of a station for several people: creates the administrator and, if wanted, one
 // demonstration account a role.
 
 #include <QCheckBox>
@@ -10,6 +10,7 @@
 #include "ui/shell/account_fields.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/setup_ways.h"
 
 namespace placode::ui {
 namespace {
@@ -22,11 +23,10 @@ class SetupPage : public Page {
         column->addStretch(1);
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace16);
-        layout->addWidget(make_label(tr("Welcome to Placode"), "display"));
-        layout->addWidget(make_label(
-            tr("This machine has no accounts yet. Create the first one: the administrator, who "
-               "adds people, keeps backups and reads the audit list."),
-            "muted"));
+        layout->addWidget(make_label(tr("The first account"), "display"));
+        layout->addWidget(make_label(tr("The administrator adds people, keeps backups and reads "
+                                        "the audit list."),
+                                     "muted"));
         addFields(layout, place);
         message_ = make_hint("critical");
         message_->setObjectName("setup_message");
@@ -41,6 +41,8 @@ class SetupPage : public Page {
             {fields_.name, fields_.login, fields_.password, fields_.again, trains_, demonstration_},
             this, [this] { this->create(); });
         layout->addWidget(create);
+        // A server has no other way in.
+        if (context_.storeIsFile()) layout->addWidget(make_way_back(context_, this));
         QFrame* card = make_card(layout);
         layout->setContentsMargins(kSpace32, kSpace32, kSpace32, kSpace32);
         column->addWidget(card);
@@ -49,7 +51,11 @@ class SetupPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("First start"); }
-    [[nodiscard]] QVariantMap state() const override { return fields_.state(); }
+    [[nodiscard]] QVariantMap state() const override {
+        QVariantMap state = fields_.state();
+        state["way"] = kStationWay;
+        return state;
+    }
 
  private:
     void addFields(QVBoxLayout* layout, const Place& place) {
@@ -116,7 +122,7 @@ class SetupPage : public Page {
 
 }  // namespace
 
-Page* make_setup_page(AppContext& context, const Place& place) {
+Page* make_station_setup_page(AppContext& context, const Place& place) {
     return new SetupPage(context, place);
 }
 

@@ -35,6 +35,12 @@ constexpr const char* kSentences[]{
     QT_TRANSLATE_NOOP("StoreWords",
                       "found the date \"%1\"; an invitation needs a last day, such as %2"),
     QT_TRANSLATE_NOOP("StoreWords", "erasure was asked for already"),
+    QT_TRANSLATE_NOOP("StoreWords", "there is an account already; sign in to it"),
+    QT_TRANSLATE_NOOP("StoreWords", "on a server everybody has an account and a password"),
+    QT_TRANSLATE_NOOP("StoreWords", "there is no profile without a password here"),
+    QT_TRANSLATE_NOOP("StoreWords",
+                      "this store is one person's without a password; make an account of that "
+                      "profile first"),
     // Groups, courses, exams, certificates
     QT_TRANSLATE_NOOP("StoreWords", "there is a group of this name; choose another one"),
     QT_TRANSLATE_NOOP("StoreWords", "found the date \"%1\"; expected a day such as %2"),

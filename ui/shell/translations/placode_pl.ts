@@ -2,6 +2,138 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pl_PL">
 <context>
+    <name>LocalProfileCard</name>
+    <message>
+        <source>Make an account of this profile</source>
+        <translation>Załóż konto dla tego profilu</translation>
+    </message>
+    <message>
+        <source>The profile has no password: whoever uses this computer can open it. With a name and a password it is an account. Your attempts and scores stay yours, and other people can be added.</source>
+        <translation>Profil nie ma hasła: może go otworzyć każdy, kto używa tego komputera. Z imieniem i nazwiskiem oraz hasłem staje się kontem. Twoje próby i wyniki pozostają Twoje, a inne osoby można dodać.</translation>
+    </message>
+    <message>
+        <source>Make the account</source>
+        <translation>Załóż konto</translation>
+    </message>
+    <message>
+        <source>Making the account</source>
+        <translation>Zakładanie konta</translation>
+    </message>
+    <message>
+        <source>The account was made. From now on you sign in with your password.</source>
+        <translation>Konto zostało założone. Od teraz logujesz się hasłem.</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>Use this computer's own store</source>
+        <translation>Użyj magazynu danych tego komputera</translation>
+    </message>
+</context>
+<context>
+    <name>ServerSetupPage</name>
+    <message>
+        <source>The centre's server</source>
+        <translation>Serwer ośrodka</translation>
+    </message>
+    <message>
+        <source>Type the address of this station. The password is no part of it: it is asked for, or read from ~/.pgpass.</source>
+        <translation>Wpisz adres tego stanowiska. Hasło nie jest jego częścią: Placode o nie zapyta albo odczyta je z ~/.pgpass.</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adres</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Połącz</translation>
+    </message>
+    <message>
+        <source>First start</source>
+        <translation>Pierwsze uruchomienie</translation>
+    </message>
+    <message>
+        <source>Type the server's address.</source>
+        <translation>Wpisz adres serwera.</translation>
+    </message>
+    <message>
+        <source>Found "%1". An address begins with postgresql:// and names the server and the database.</source>
+        <translation>Podano „%1”. Adres zaczyna się od postgresql:// oraz podaje serwer i bazę.</translation>
+    </message>
+    <message>
+        <source>Leave the password out: whoever opens the settings could read it. Placode asks for it.</source>
+        <translation>Pomiń hasło: mógłby je odczytać każdy, kto otworzy ustawienia. Placode o nie zapyta.</translation>
+    </message>
+    <message>
+        <source>Reading the accounts</source>
+        <translation>Odczyt kont</translation>
+    </message>
+</context>
+<context>
+    <name>FirstStartPage</name>
+    <message>
+        <source>Welcome to Placode</source>
+        <translation>Witamy w Placode</translation>
+    </message>
+    <message>
+        <source>How will this computer be used?</source>
+        <translation>Kto będzie używał tego komputera?</translation>
+    </message>
+    <message>
+        <source>By me alone</source>
+        <translation>Tylko ja</translation>
+    </message>
+    <message>
+        <source>No account, no password. You can make an account of it later, and what you have done stays yours.</source>
+        <translation>Bez konta i bez hasła. Konto możesz założyć później, a to, co zrobisz, pozostanie Twoje.</translation>
+    </message>
+    <message>
+        <source>Begin the first exercise</source>
+        <translation>Zacznij pierwsze ćwiczenie</translation>
+    </message>
+    <message>
+        <source>By several people</source>
+        <translation>Kilka osób</translation>
+    </message>
+    <message>
+        <source>Everybody signs in and sees their own attempts. You make the first account, the administrator's, and add the others.</source>
+        <translation>Każdy się loguje i widzi własne próby. Zakładasz pierwsze konto, konto administratora, i dodajesz pozostałe osoby.</translation>
+    </message>
+    <message>
+        <source>Set up the station</source>
+        <translation>Przygotuj stanowisko</translation>
+    </message>
+    <message>
+        <source>As one station of a centre</source>
+        <translation>To jedno ze stanowisk ośrodka</translation>
+    </message>
+    <message>
+        <source>People find their attempts at every station of the centre. You need the address that whoever keeps the server gave you.</source>
+        <translation>Każdy znajdzie swoje próby na każdym stanowisku ośrodka. Potrzebny jest adres od osoby, która opiekuje się serwerem.</translation>
+    </message>
+    <message>
+        <source>Connect to the server</source>
+        <translation>Połącz z serwerem</translation>
+    </message>
+    <message>
+        <source>First start</source>
+        <translation>Pierwsze uruchomienie</translation>
+    </message>
+    <message>
+        <source>Guest</source>
+        <translation>Gość</translation>
+    </message>
+    <message>
+        <source>Beginning</source>
+        <translation>Rozpoczynanie</translation>
+    </message>
+    <message>
+        <source>Another way to begin</source>
+        <translation>Inny sposób rozpoczęcia</translation>
+    </message>
+</context>
+<context>
     <name>AccountFields</name>
     <message>
         <source>A log-in name has no spaces: write it in one, as in anna.nowak.</source>
@@ -434,6 +566,14 @@
 </context>
 <context>
     <name>AuditWords</name>
+    <message>
+        <source>came in without a password</source>
+        <translation>wejście bez hasła</translation>
+    </message>
+    <message>
+        <source>made an account of the local profile</source>
+        <translation>założono konto dla profilu lokalnego</translation>
+    </message>
     <message>
         <source>sent scores to a learning platform</source>
         <translation>wysłano wyniki do platformy edukacyjnej</translation>
@@ -1995,6 +2135,14 @@
 </context>
 <context>
     <name>LoginPage</name>
+    <message>
+        <source>Go on as %1</source>
+        <translation>Kontynuuj jako %1</translation>
+    </message>
+    <message>
+        <source>This profile has no password. Under My account you can make an account of it.</source>
+        <translation>Ten profil nie ma hasła. Na stronie „Moje konto” możesz założyć dla niego konto.</translation>
+    </message>
     <message>
         <source>Sign in</source>
         <translation>Zaloguj się</translation>
@@ -4624,12 +4772,12 @@
 <context>
     <name>SetupPage</name>
     <message>
-        <source>Welcome to Placode</source>
-        <translation>Witamy w Placode</translation>
+        <source>The first account</source>
+        <translation>Pierwsze konto</translation>
     </message>
     <message>
-        <source>This machine has no accounts yet. Create the first one: the administrator, who adds people, keeps backups and reads the audit list.</source>
-        <translation>Na tym komputerze nie ma jeszcze kont. Utwórz pierwsze: administratora, który dodaje osoby, pilnuje kopii i czyta dziennik.</translation>
+        <source>The administrator adds people, keeps backups and reads the audit list.</source>
+        <translation>Administrator dodaje osoby, pilnuje kopii i czyta dziennik.</translation>
     </message>
     <message>
         <source>Create the administrator</source>
@@ -9720,6 +9868,22 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 </context>
 <context>
     <name>StoreWords</name>
+    <message>
+        <source>there is an account already; sign in to it</source>
+        <translation>jest już konto; zaloguj się na nie</translation>
+    </message>
+    <message>
+        <source>on a server everybody has an account and a password</source>
+        <translation>na serwerze każdy ma konto i hasło</translation>
+    </message>
+    <message>
+        <source>there is no profile without a password here</source>
+        <translation>nie ma tu profilu bez hasła</translation>
+    </message>
+    <message>
+        <source>this store is one person's without a password; make an account of that profile first</source>
+        <translation>ten magazyn danych należy do jednej osoby bez hasła; najpierw załóż konto dla tego profilu</translation>
+    </message>
     <message>
         <source>its tables are missing or of an older version, and this log-in may not make any; their owner does, with `placodectl station role --apply`</source>
         <translation>brak jego tabel albo są ze starszej wersji, a ten login nie może ich tworzyć; robi to ich właściciel poleceniem `placodectl station role --apply`</translation>
