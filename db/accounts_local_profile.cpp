@@ -14,8 +14,9 @@ namespace {
 using Kind = StoreError::Kind;
 
 constexpr const char* kLogin = "guest";  ///< Until the person chooses another one.
-/// Instead of the hash of a password: none fits it, so sign_in() never lets anybody in by it.
-constexpr const char* kNoPassword = "";
+/// Instead of the hash of a password, so sign_in() never lets anybody in by it. Erased people have
+/// an empty one.
+constexpr const char* kNoPassword = "local profile";
 
 }  // namespace
 
@@ -82,7 +83,10 @@ void Accounts::name_local_profile(const NewUser& user) {
 }
 
 void Accounts::need_accounts() {
-    if (local_profile())
+    // Not local_profile(): what the caller does stays named in the message.
+    if (!connection_.is_sqlite()) return;
+    Statement query(connection_, "SELECT id FROM accounts WHERE password_hash = ? AND active = 1");
+    if (query.run(kNoPassword).next())
         connection_.fail(Kind::kRefused,
                          "this store is one person's without a password; make an account of that "
                          "profile first");

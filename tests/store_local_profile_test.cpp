@@ -12,6 +12,7 @@ using namespace placode;
 using namespace placode::test;
 using db::SignInOutcome;
 using db::StoreError;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -57,7 +58,8 @@ TEST_P(LocalProfileTest, NobodyElseComesIntoItsStore) {
     ASSERT_EQ(store->accounts().enter().outcome, SignInOutcome::kOk);
     const auto error = failure_of([&] { store->accounts().create(trainee("bert")); });
     EXPECT_EQ(error.kind(), StoreError::Kind::kRefused);
-    EXPECT_THAT(error.what(), HasSubstr("make an account of that profile first"));
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("create the user \"bert\""),
+                                    HasSubstr("make an account of that profile first")));
     EXPECT_EQ(failure_of([&] {
                   (void)store->accounts().invite({0, 1, 0, "", {}, {}, "2099-01-01", {}});
               }).kind(),
