@@ -8,14 +8,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/palette.h"
 #include "reports/report.h"
 
 namespace placode::reports {
 namespace {
 
-// Colours of Okabe and Ito: safe for colour-blind readers.
-constexpr unsigned kColours[]{0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7,
-                              0xff56b4e9, 0xffe69f00, 0xff000000, 0xff8c6d31};
 constexpr QCPScatterStyle::ScatterShape kSigns[]{
     QCPScatterStyle::ssDisc,    QCPScatterStyle::ssSquare, QCPScatterStyle::ssTriangle,
     QCPScatterStyle::ssDiamond, QCPScatterStyle::ssCross,  QCPScatterStyle::ssPlus,
@@ -111,12 +109,12 @@ void add_curve(QCustomPlot& plot, const Curve& curve, const CurveChart& chart, c
     if (x.isEmpty()) return;
     constexpr Qt::PenStyle lines[]{Qt::SolidLine, Qt::DashLine, Qt::DotLine};
     QCPGraph* graph = plot.addGraph();
-    const QColor colour = QColor::fromRgba(kColours[look.colour % std::size(kColours)]);
+    const QColor colour = QColor::fromRgba(kCurveColours[look.colour % std::size(kCurveColours)]);
     graph->setName(QString::fromStdString(curve.name));
     graph->setPen(QPen(colour, 2, lines[look.line % std::size(lines)]));
     if (x.size() <= kMostSigns) {
         // After a full turn of the colours the signs go on by one: no two curves look alike.
-        const size_t sign = look.colour + look.colour / std::size(kColours) + 3 * look.line;
+        const size_t sign = look.colour + look.colour / std::size(kCurveColours) + 3 * look.line;
         QCPScatterStyle style(kSigns[sign % std::size(kSigns)], colour, Qt::white, 9);
         style.setPen(QPen(colour, 2));
         graph->setScatterStyle(style);

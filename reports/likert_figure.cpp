@@ -10,24 +10,11 @@
 
 #include "reports/csv_table.h"
 #include "reports/figure.h"
+#include "reports/palette.h"
 #include "reports/plot_parts.h"
 
 namespace placode::reports {
 namespace {
-
-/// Brown for the low half, teal for the high, grey for the middle; towards the ends darker, so that
-/// the order shows without colour.
-QColor shade(size_t index, size_t width) {
-    const double middle = (static_cast<double>(width) - 1) / 2;
-    const double away = (static_cast<double>(index) - middle) / std::max(0.5, middle);
-    if (std::abs(away) < 1e-9) return {0xd9, 0xd9, 0xd4};
-    const double strength = 0.35 + 0.65 * std::abs(away);
-    const QColor end = away < 0 ? QColor(0x8c, 0x4a, 0x00) : QColor(0x0b, 0x6e, 0x77);
-    const auto mix = [&](int channel) {
-        return static_cast<int>(std::lround(255 + (channel - 255) * strength));
-    };
-    return {mix(end.red()), mix(end.green()), mix(end.blue())};
-}
 
 bool is_dark(const QColor& colour) { return qGray(colour.rgb()) < 140; }
 
@@ -57,7 +44,7 @@ void draw_bar(QPainter& painter, const LikertBar& bar, const Layout& layout, dou
         const double share = 100 * bar.counts[i] / n;
         const QRectF cell(QPointF(layout.x.at(at), y + 5),
                           QPointF(layout.x.at(at + share), y + layout.row - 5));
-        const QColor fill = shade(i, bar.counts.size());
+        const QColor fill = scale_colour(i, bar.counts.size());
         painter.setPen(QPen(QColor::fromRgba(style.surface), 1));
         painter.setBrush(fill);
         painter.drawRect(cell);
@@ -77,7 +64,7 @@ void draw_key(QPainter& painter, const LikertBar& bar, const QRectF& where,
               Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(bar.low), style.muted, 11);
     for (size_t i = 0; i < width; ++i, x += gap) {
         painter.setPen(QPen(QColor::fromRgba(style.muted), 0.5));
-        painter.setBrush(shade(i, width));
+        painter.setBrush(scale_colour(i, width));
         painter.drawRect(QRectF(x, where.top() + 1, box, box));
         draw_text(painter, QRectF(x + box + 2, where.top(), gap - box, 16),
                   Qt::AlignLeft | Qt::AlignVCenter,

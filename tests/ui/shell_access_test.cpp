@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "shell_harness.h"
+#include "tests/colour_vision.h"
 
 namespace placode::ui {
 
@@ -98,6 +99,10 @@ void ShellAccessTest::textStandsOutInBothThemes() {
             QVERIFY2(contrast(text, ground) >= 4.5, qPrintable(QString("%1 on %2: %3")
                                                                    .arg(text.name(), ground.name())
                                                                    .arg(contrast(text, ground))));
+        // Good, doubtful and bad also to who lacks a cone; words and signs say it as well.
+        for (const test::Vision& vision : test::kVisions)
+            QVERIFY2(test::closest({t.good, t.warn, t.critical}, vision.seen) >= test::kToldApart,
+                     vision.name);
         // The edge of a field: WCAG 1.4.11.
         QVERIFY2(contrast(t.field, t.raised) >= 3, qPrintable(t.field.name()));
     }
