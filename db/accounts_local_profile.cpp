@@ -18,11 +18,20 @@ constexpr const char* kLogin = "guest";  ///< Until the person chooses another o
 /// an empty one.
 constexpr const char* kNoPassword = "local profile";
 
+/// Does not change the operation that a refusal names.
+std::optional<UserRecord> find_profile(Connection& connection) {
+    if (!connection.is_sqlite()) return std::nullopt;
+    Statement query(connection, user_columns() + "WHERE a.password_hash = ? AND a.active = 1");
+    if (!query.run(kNoPassword).next()) return std::nullopt;
+    return read_user(query);
+}
+
 }  // namespace
 
 int64_t Accounts::begin_alone(const std::string& display_name) {
+    const bool begun = any();
     connection_.begin_operation("begin without an account in");
-    if (any()) context_.need(Action::kManageUsers);
+    if (begun) context_.need(Action::kManageUsers);
     if (!connection_.is_sqlite())
         connection_.fail(Kind::kRefused, "on a server everybody has an account and a password");
     if (display_name.empty()) connection_.fail(Kind::kRefused, "the name is empty");
@@ -32,7 +41,10 @@ int64_t Accounts::begin_alone(const std::string& display_name) {
     user.roles = static_cast<Roles>(Role::kAdministrator) | static_cast<Roles>(Role::kTrainee);
     UnitOfWork work(connection_);
     // Two programs that begin at once: the second one sees the first one's account here.
-    if (any()) connection_.fail(Kind::kRefused, "there is an account already; sign in to it");
+    const bool begun_meanwhile = any();
+    connection_.begin_operation("begin without an account in");
+    if (begun_meanwhile)
+        connection_.fail(Kind::kRefused, "there is an account already; sign in to it");
     const int64_t id = insert_user(user, kNoPassword);
     work.commit();
     mark_store(connection_.url().path);
@@ -41,15 +53,12 @@ int64_t Accounts::begin_alone(const std::string& display_name) {
 
 std::optional<UserRecord> Accounts::local_profile() {
     connection_.begin_operation("look for a local profile in");
-    if (!connection_.is_sqlite()) return std::nullopt;
-    Statement query(connection_, user_columns() + "WHERE a.password_hash = ? AND a.active = 1");
-    if (!query.run(kNoPassword).next()) return std::nullopt;
-    return read_user(query);
+    return find_profile(connection_);
 }
 
 SignIn Accounts::enter() {
-    const std::optional<UserRecord> profile = local_profile();
     connection_.begin_operation("sign in to");
+    const std::optional<UserRecord> profile = find_profile(connection_);
     if (!profile) return {};
     UnitOfWork work(connection_);
     context_.append_audit_as(user_object(profile->id), "sign_in.local_profile",
@@ -60,9 +69,9 @@ SignIn Accounts::enter() {
 }
 
 void Accounts::name_local_profile(const NewUser& user) {
-    const std::optional<UserRecord> profile = local_profile();
     connection_.begin_operation("make an account in");
     context_.need(Action::kUseStore);
+    const std::optional<UserRecord> profile = find_profile(connection_);
     if (!profile || !context_.is_self(profile->id))
         connection_.fail(Kind::kRefused, "there is no profile without a password here");
     NewUser named = user;
@@ -83,10 +92,7 @@ void Accounts::name_local_profile(const NewUser& user) {
 }
 
 void Accounts::need_accounts() {
-    // Not local_profile(): what the caller does stays named in the message.
-    if (!connection_.is_sqlite()) return;
-    Statement query(connection_, "SELECT id FROM accounts WHERE password_hash = ? AND active = 1");
-    if (query.run(kNoPassword).next())
+    if (find_profile(connection_))
         connection_.fail(Kind::kRefused,
                          "this store is one person's without a password; make an account of that "
                          "profile first");

@@ -64,8 +64,9 @@ TEST_P(LocalProfileTest, NobodyElseComesIntoItsStore) {
                   (void)store->accounts().invite({0, 1, 0, "", {}, {}, "2099-01-01", {}});
               }).kind(),
               StoreError::Kind::kRefused);
-    EXPECT_EQ(failure_of([&] { store->accounts().begin_alone("Again"); }).kind(),
-              StoreError::Kind::kRefused);
+    const auto twice = failure_of([&] { store->accounts().begin_alone("Again"); });
+    EXPECT_EQ(twice.kind(), StoreError::Kind::kRefused);
+    EXPECT_THAT(twice.what(), HasSubstr("begin without an account in"));
     EXPECT_EQ(store->accounts().list().size(), 1u);
 }
 
