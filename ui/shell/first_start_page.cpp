@@ -65,7 +65,7 @@ class FirstStartPage : public Page {
     void beginAlone() {
         context_.guard(tr("Beginning"), [&] {
             context_.store().accounts().begin_alone(tr("Guest").toStdString());
-            context_.signIn(*context_.store().accounts().enter().user);
+            context_.signIn(context_.store().accounts().enter().user.value());
             const Training training = load_training(context_);
             if (training.next_stage < 0) return;  // Then the page Today says what there is.
             const TrainingStage& first = training.stages[static_cast<size_t>(training.next_stage)];

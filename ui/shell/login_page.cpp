@@ -27,7 +27,7 @@ class LoginPage : public Page {
         QVBoxLayout* outer = make_column(this, 520);
         (void)context_.problemOf([&] { alone_ = context_.store().accounts().local_profile(); });
         outer->addStretch(2);
-        outer->addWidget(alone_ ? buildCardOfOne(place) : buildCard(), 0, Qt::AlignHCenter);
+        outer->addWidget(alone_ ? buildCardOfOne(place) : buildCard(place), 0, Qt::AlignHCenter);
         outer->addStretch(3);
         if (alone_) return;
         timer_.setInterval(1000);
@@ -36,8 +36,6 @@ class LoginPage : public Page {
         login_->setText(place.state.value("login", isHere(last) ? last : QString()).toString());
         const QString said = place.state.value("message").toString();
         if (!said.isEmpty()) say(said);
-        note_->setText(place.state.value("note").toString());
-        note_->setVisible(!note_->text().isEmpty());
         showPinHint();
         QTimer::singleShot(0, this, [this] {
             (login_->text().isEmpty() ? login_ : password_)->setFocus(Qt::OtherFocusReason);
@@ -55,9 +53,7 @@ class LoginPage : public Page {
  private:
     /// One person without a password: one button, and nobody else can sign in.
     QWidget* buildCardOfOne(const Place& place) {
-        QVBoxLayout* layout = beginCard();
-        note_->setText(place.state.value("note").toString());
-        note_->setVisible(!note_->text().isEmpty());
+        QVBoxLayout* layout = beginCard(place);
         button_ = make_button(context_, tr("Go on as %1").arg(qstr(alone_->display_name)),
                               "primary", "next");
         button_->setObjectName("enter");
@@ -79,7 +75,7 @@ class LoginPage : public Page {
         return endCard(layout);
     }
 
-    QVBoxLayout* beginCard() {
+    QVBoxLayout* beginCard(const Place& place) {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace16);
         auto* head = new QHBoxLayout;
@@ -93,6 +89,8 @@ class LoginPage : public Page {
             make_label(tr("Fetoscopic spina bifida repair: practise, see, repeat."), "muted"));
         note_ = make_label({}, "warn");
         note_->setObjectName("login_note");
+        note_->setText(place.state.value("note").toString());
+        note_->setVisible(!note_->text().isEmpty());
         layout->addWidget(note_);
         return layout;
     }
@@ -104,8 +102,8 @@ class LoginPage : public Page {
         return card;
     }
 
-    QWidget* buildCard() {
-        QVBoxLayout* layout = beginCard();
+    QWidget* buildCard(const Place& place) {
+        QVBoxLayout* layout = beginCard(place);
         (void)context_.problemOf(
             [&] { demonstrators_ = context_.store().accounts().demonstrators(); });
         addPeople(layout);

@@ -9,13 +9,13 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QScreen>
-#include <QUrl>
 #include <cstdio>
 #include <string_view>
 
 #include "sim/core/near_word.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/page_tour.h"
+#include "ui/shell/store_address.h"
 #include "ui/version.h"
 
 namespace placode::ui {
@@ -82,7 +82,6 @@ int complain(const QCommandLineParser& parser) {
 }
 
 /// `ps` shows the command line to everybody on this computer.
-bool has_password(const QString& url) { return !QUrl(url.section('?', 0, 0)).password().isEmpty(); }
 int refuse_password() {
     std::fprintf(stderr,
                  "placode: --store: the address holds a password, and everybody on this computer "
@@ -143,7 +142,7 @@ int main(int argc, char** argv) {
     };
     if (!one_of("language", {"en", "pl"}) || !one_of("theme", {"light", "dark"})) return 2;
     if (parser.isSet("data")) qputenv("PLACODE_DATA", parser.value("data").toLocal8Bit());
-    if (has_password(parser.value("store"))) return refuse_password();
+    if (placode::ui::has_password(parser.value("store"))) return refuse_password();
     placode::ui::ShellOptions options;
     options.store_url = parser.value("store").toStdString();
     options.language = parser.value("language");

@@ -9,6 +9,7 @@
 #include "ui/shell/form_keys.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/setup_ways.h"
+#include "ui/shell/store_address.h"
 
 namespace placode::ui {
 namespace {
@@ -55,13 +56,13 @@ class ServerSetupPage : public Page {
 
  private:
     [[nodiscard]] QString problem() const {
-        const QUrl url(address_->text().trimmed().section('?', 0, 0));
-        if (address_->text().trimmed().isEmpty()) return tr("Type the server's address.");
-        if (!address_->text().trimmed().startsWith("postgresql://") || !url.isValid())
+        const QString typed = address_->text().trimmed();
+        if (typed.isEmpty()) return tr("Type the server's address.");
+        if (!typed.startsWith("postgresql://") || !QUrl(typed.section('?', 0, 0)).isValid())
             return tr("Found \"%1\". An address begins with postgresql:// and names the server and "
                       "the database.")
-                .arg(url.password().isEmpty() ? address_->text().trimmed() : QString("…"));
-        if (!url.password().isEmpty())
+                .arg(has_password(typed) ? QString("…") : typed);
+        if (has_password(typed))
             return tr(
                 "Leave the password out: whoever opens the settings could read it. Placode "
                 "asks for it.");
