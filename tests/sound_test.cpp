@@ -87,7 +87,9 @@ TEST(Sound, AnExamWarnsOfTheTimeOnly) {
     s.tools[0].touched = sim::Tissue::kPlacode;
     EXPECT_TRUE(score.listen(s, 120, true).alarms.empty());
     s.time_s = 60.05;  // a minute left
-    EXPECT_EQ(score.listen(s, 120, true).alarms, std::vector{Alarm::kTime});
+    const SoundScore::Wish last_minute = score.listen(s, 120, true);
+    EXPECT_EQ(last_minute.alarms, std::vector{Alarm::kTime});
+    EXPECT_EQ(last_minute.left_s, 60) << "said in words, too";
 }
 
 TEST(Sound, PausedIsSilent) {

@@ -38,6 +38,8 @@ class SoundScore {
     struct Wish {
         double cut = 0, coag = 0, hiss = 0;  ///< 0 = silent, 1 = full.
         std::vector<Alarm> alarms;           ///< That begin now.
+        int left_s =
+            0;  ///< With Alarm::kTime: so much time is left [s], for those who do not hear.
     };
     /// @param exam warnings are silent then, as on the screen; the clock is not.
     [[nodiscard]] Wish listen(const sim::Snapshot& snapshot, double time_limit_s, bool exam);

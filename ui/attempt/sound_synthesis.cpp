@@ -155,8 +155,10 @@ SoundScore::Wish SoundScore::listen(const sim::Snapshot& snapshot, double time_l
     message_at_s_ = std::max(message_at_s_, said_at);
     for (const double left : {60.0, 10.0}) {
         const double at = time_limit_s - left;
-        if (at > 5 && last_s_ >= 0 && last_s_ < at && now >= at)
+        if (at > 5 && last_s_ >= 0 && last_s_ < at && now >= at) {
             wish.alarms.push_back(Alarm::kTime);
+            wish.left_s = static_cast<int>(left);
+        }
     }
     last_s_ = now;
     return wish;

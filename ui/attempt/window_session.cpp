@@ -25,7 +25,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kTooSlow = "COMPUTER TOO SLOW, does not count";
-constexpr int kReadPathS = 6;
+constexpr int kReadPathS = 6, kReadTimeS = 4;
 constexpr double kReadHelpS = 4;  // the two lines of it that matter beside a script
 
 /// The size that the last one who practised here left. Exams and studies begin alike for everybody.
@@ -142,7 +142,12 @@ class WindowSession {
         const sim::Snapshot& snapshot = runner_.snapshot();
         if (snapshot.x.empty()) return;
         if (controls_.paused()) return sound_.silence();
-        sound_.play(score_.listen(snapshot, overlay_.time_limit_s, !overlay_.warnings));
+        const SoundScore::Wish wish =
+            score_.listen(snapshot, overlay_.time_limit_s, !overlay_.warnings);
+        sound_.play(wish);
+        // What the other alarms mean stands there as a warning; the clock's has words as well.
+        if (wish.left_s > 0)
+            note(wish.left_s >= 60 ? "One minute left" : "Ten seconds left", kReadTimeS);
     }
 
     /// Window, controls, runner: once a round.

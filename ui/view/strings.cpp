@@ -139,6 +139,8 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"Sound on", "Dźwięk włączony"},
     {"L wipes the lens", "L przeciera optykę"},
     {"Wipe the lens", "Przetarcie optyki"},
+    {"One minute left", "Została minuta"},
+    {"Ten seconds left", "Zostało dziesięć sekund"},
     {"Lens wiped", "Optyka przetarta"},
     {"Sound off, louder, softer", "Dźwięk: wył., głośniej, ciszej"},
     {"Clinician's tuning; does not count", "Strojenie przez klinicystę; próba się nie liczy"},
