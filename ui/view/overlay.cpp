@@ -132,13 +132,14 @@ void Overlay::read_outs() {
 double Overlay::task_words(double y, double room) {
     y += 1.9 * unit_;
     // The phases are those of the operation; exercises have steps.
-    const bool operates = energised_tools() || snapshot_->resected_fraction >= 0;
-    const char* phase = practising() || !operates ? "Practice" : phase_text(snapshot_->phase);
+    const bool operates =
+        state_->practice.steps.empty() && (energised_tools() || snapshot_->resected_fraction >= 0);
+    const char* phase = operates ? phase_text(snapshot_->phase) : "Practice";
     if (!state_->heading.empty()) {
         paint_->text(margin_, y, say(state_->heading), TextSize::kNormal, kAccent);
-        if (operates && !practising()) y += paint_->line_height(TextSize::kNormal);
+        if (operates) y += paint_->line_height(TextSize::kNormal);
     }
-    if (state_->heading.empty() || (operates && !practising()))
+    if (state_->heading.empty() || operates)
         paint_->text(margin_, y, say(phase), TextSize::kNormal, kAccent);
     if (room > 9 * unit_) {
         y += 2.4 * unit_;
@@ -245,6 +246,7 @@ void Overlay::ring() {
         gauge(std::min(1.0, goal.progress), "ring", goal.traced);
         return;
     }
+    if (!state_->practice.steps.empty()) return;  // before its first step is known
     const bool after_ring = snapshot_->phase == Phase::kResect || snapshot_->phase == Phase::kCheck;
     if (snapshot_->resected_fraction >= 0 && (after_ring || !energised_tools())) {
         gauge(static_cast<double>(std::min(1.0F, snapshot_->resected_fraction)), "out",
