@@ -10,38 +10,20 @@
 
 namespace placode::sim {
 
-/// Keys that a device or the attempt menu may ask for.
+/// Keys of the window, named after what is printed on an English keyboard in that place. For the
+/// devices a name stands for what the key does as delivered: control_layout.h puts another there.
 enum class Key : uint8_t {
-    kW,
-    kA,
-    kS,
-    kD,
-    kQ,
-    kE,
-    kR,
-    kF,
-    kX,
-    kC,
-    kV,
-    kB,
-    kSpace,
-    kTab,
-    kShift,
-    kControl,
-    kEnter,
-    kEscape,
-    kLeft,
-    kRight,
-    kUp,
-    kDown,
-    kF1,
-    kF2,
-    kF3,
-    kF5,
-    kF12,
-    kCut,
-    kCoag,
+    // clang-format off
+    kW, kA, kS, kD, kQ, kE, kR, kF, kX, kC, kV, kB, kSpace, kTab, kShift, kControl, kEnter, kEscape,
+    kLeft, kRight, kUp, kDown, kF1, kF2, kF3, kF5, kF12,
+    kCut, kCoag,  ///< Pedals that appear as a keyboard (F13, F14); 1 and 2 stand in for them.
+    kG, kH, kI, kJ, kK, kL, kM, kN, kO, kP, kT, kU, kY, kZ,
+    k0, k3, k4, k5, k6, k7, k8, k9,
+    kComma, kPeriod, kSlash, kSemicolon, kApostrophe, kLeftBracket, kRightBracket, kBackslash,
+    kGrave, kAlt, kBackspace, kInsert, kDelete, kHome, kEnd, kPageUp, kPageDown,
+    kPad0, kPad1, kPad2, kPad3, kPad4, kPad5, kPad6, kPad7, kPad8, kPad9,
     kCount
+    // clang-format on
 };
 
 struct WindowInput {

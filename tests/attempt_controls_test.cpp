@@ -394,5 +394,67 @@ TEST(AttemptControls, AGamepadsStartOpensTheMenuAndNeverEnds) {
     EXPECT_EQ(bench.controls.for_devices().gamepad_buttons, 0);
 }
 
+TEST(AttemptControls, TheLeftHandedLayoutIsTheSameInTheMirror) {
+    ControlsSetup setup;
+    setup.layout = haptics::ControlLayout::left_handed();
+    Bench bench(setup);
+    const sim::WindowInput& seen = bench.controls.for_devices();
+    bench.step({button(1)});
+    EXPECT_TRUE(seen.left) << "the right button is below the first finger of the left hand";
+    EXPECT_FALSE(seen.right);
+    bench.step({button(1, false)});
+    bench.step({key(Key::kJ)});
+    EXPECT_TRUE(seen.is_down(Key::kA));
+    EXPECT_FALSE(seen.is_down(Key::kJ));
+    bench.step({key(Key::kJ, false)});
+    EXPECT_FALSE(seen.is_down(Key::kA));
+    bench.tap(Key::kA);
+    EXPECT_EQ(seen.presses[static_cast<size_t>(Key::kA)], 1U) << "J once, and A does nothing now";
+    // L moves to the right and M coagulates; lens and sound have other keys.
+    bench.step({key(Key::kL), {.kind = Kind::kLetter, .letter = U'l'}});
+    EXPECT_TRUE(seen.is_down(Key::kD));
+    EXPECT_TRUE(bench.controls.take_commands().empty());
+    bench.step({key(Key::kL, false), key(Key::kB), {.kind = Kind::kLetter, .letter = U'b'}});
+    EXPECT_EQ(bench.controls.take_commands(), std::vector{Command::kWipeLens});
+    bench.step({key(Key::kM), {.kind = Kind::kLetter, .letter = U'm'}});
+    EXPECT_TRUE(seen.is_down(Key::kC));
+    EXPECT_TRUE(bench.controls.take_commands().empty());
+    bench.step({key(Key::kV), {.kind = Kind::kLetter, .letter = U'v'}});
+    EXPECT_EQ(bench.controls.take_commands(), std::vector{Command::kMute});
+    EXPECT_FALSE(bench.controls.end());
+}
+
+TEST(AttemptControls, MenusKeepTheirKeysWhateverTheHandsHave) {
+    ControlsSetup setup;
+    setup.layout = haptics::ControlLayout::parse(
+        "up=Up down=Down left=Left right=Right scope-up=W scope-down=S scope-left=A scope-right=D "
+        "precise=Space still=Ctrl");
+    Bench bench(setup);
+    const sim::WindowInput& seen = bench.controls.for_devices();
+    bench.step({key(Key::kUp), key(Key::kSpace)});
+    EXPECT_TRUE(seen.is_down(Key::kW));
+    EXPECT_TRUE(seen.is_down(Key::kControl)) << "a modifier, on a key of another kind";
+    bench.step({key(Key::kUp, false), key(Key::kSpace, false)});
+    bench.tap(Key::kEscape);
+    ASSERT_EQ(bench.controls.screen(), Screen::kMenu);
+    bench.tap(Key::kDown);
+    EXPECT_EQ(bench.controls.menu().selected, 1);
+    bench.tap(Key::kUp);
+    bench.tap(Key::kEnter);
+    EXPECT_EQ(bench.controls.screen(), Screen::kOperate);
+    EXPECT_EQ(seen.presses[static_cast<size_t>(Key::kS)], 0U);
+}
+
+TEST(AttemptControls, ExchangedSticksMoveAndTurn) {
+    ControlsSetup setup;
+    setup.layout.sticks_exchanged = true;
+    Bench bench(setup);
+    bench.totals.gamepad = true;
+    bench.totals.gamepad_axis = {0.1F, 0.2F, 0.3F, 0.4F, -1, 1};
+    bench.step({});
+    EXPECT_EQ(bench.controls.for_devices().gamepad_axis,
+              (std::array<float, 6>{0.3F, 0.4F, 0.1F, 0.2F, -1, 1}));
+}
+
 }  // namespace THIS_TEST
 }  // namespace placode::ui

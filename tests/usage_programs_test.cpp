@@ -110,6 +110,19 @@ TEST_F(Usage, AStrangeWordIsNotGuessedAt) {
     EXPECT_THAT(said.err, AllOf(HasSubstr("expected one of"), Not(HasSubstr("did you mean"))));
 }
 
+TEST_F(Usage, AMisspeltLayoutOfTheControlsIsNamed) {
+    for (const auto& [layout, word] : {std::pair{"'cut=C'", "cut and coagulate are both"},
+                                       {"'jump=G'", "jump=G"},
+                                       {"'cut=Enter'", "no such key"}}) {
+        const Outcome said = run("placode-sim", std::string("--task touch_targets --device "
+                                                            "script:expert --controls ") +
+                                                    layout);
+        EXPECT_EQ(said.status, 2) << layout;
+        EXPECT_THAT(said.err, StartsWith("placode-sim: --controls: ")) << layout;
+        EXPECT_THAT(said.err, HasSubstr(word)) << layout;
+    }
+}
+
 TEST_F(Usage, AllMessagesHaveOneForm) {
     add_user("anna", "trainee");
     const char* const commands[]{"",

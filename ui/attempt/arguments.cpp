@@ -114,7 +114,7 @@ void check(Arguments& arguments) {
 
 Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     Arguments arguments;
-    std::string size, position, screenshots, camera;
+    std::string size, position, screenshots, camera, layout;
     std::optional<std::string> aids;
     exit_now = false;
     CLI::App app("placode-sim: one attempt at a task, through the fetoscope", "placode-sim");
@@ -142,6 +142,10 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
         ->type_name("X,Y");
     app.add_option("--scope", arguments.scope_angle_deg, "Angle of the optic [deg]")
         ->check(CLI::IsMember({0, 30}));
+    app.add_option("--controls", layout,
+                   "Keys and buttons: left-handed, then NAME=KEY, buttons=exchanged, "
+                   "sticks=exchanged with spaces between")
+        ->type_name("LAYOUT");
     app.add_option("--language", arguments.language, "en or pl")
         ->check(CLI::IsMember({"en", "pl"}));
     app.add_flag("--status", arguments.status, "One JSON object a line on standard output");
@@ -204,6 +208,11 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     arguments.aids = curriculum::conduct_of(arguments.mode).aids;
     if (aids) read_aids(*aids, arguments);
     if (!camera.empty()) (void)camera_named(camera, arguments.wish.camera);
+    try {
+        arguments.layout = haptics::ControlLayout::parse(layout);
+    } catch (const haptics::LayoutError& error) {
+        throw UsageError(std::string("--controls: ") + error.what());
+    }
     if (!size.empty()) read_size(size, arguments);
     arguments.size_given = !size.empty();
     if (!position.empty()) read_position(position, arguments);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "curriculum/conduct.h"
+#include "haptics/control_layout.h"
 #include "ui/attempt/replay_control.h"
 
 namespace placode::ui {
@@ -40,6 +41,7 @@ struct Arguments {
     double least_s = 0;  ///< A study's least duration; 0 = none.
     bool mute = false, list_presets = false;
     int volume_percent = -1;  ///< -1 = as set before.
+    haptics::ControlLayout layout;
     bool limits_file = false, station_file = false;
     std::string test_device;    ///< Try this device, or "pedals"; empty = no.
     double test_force_n = 0.5;  ///< Ceiling of the force of that test.

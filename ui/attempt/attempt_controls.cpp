@@ -23,7 +23,7 @@ constexpr uint16_t kPadStart = 1U << 7;
 constexpr size_t at(Key key) { return static_cast<size_t>(key); }
 
 /// Held like a pedal, not struck: what they mean does not begin with a press.
-constexpr bool is_modifier(Key key) { return key == Key::kShift || key == Key::kControl; }
+constexpr bool is_modifier(Key does) { return does == Key::kShift || does == Key::kControl; }
 
 }  // namespace
 
@@ -70,7 +70,10 @@ void AttemptControls::update(const view::WindowEvents& events, const sim::Window
 
 /// One event, for one screen.
 void AttemptControls::take(const WindowEvent& event) {
-    if (event.kind == Kind::kKey && !event.down) held_.reset(at(event.key));
+    if (event.kind == Kind::kKey && !event.down) {
+        const Key does = setup_.layout.does(event.key);
+        if (does != Key::kCount) held_.reset(at(does));
+    }
     if (event.kind == Kind::kButton && !event.down && event.button < 3)
         buttons_.reset(event.button);
     // Whoever presses something else meanwhile does not mean to end.
@@ -102,7 +105,8 @@ void AttemptControls::take(const WindowEvent& event) {
                 break;
             }
             // Any press leaves it, and does nothing else.
-            if ((event.kind == Kind::kKey && event.down && !is_modifier(event.key)) ||
+            if ((event.kind == Kind::kKey && event.down &&
+                 !is_modifier(setup_.layout.does(event.key))) ||
                 (event.kind == Kind::kButton && event.down) || event.kind == Kind::kStart)
                 show(Screen::kOperate, PauseCause::kHelp);
             break;
@@ -204,19 +208,32 @@ void AttemptControls::operate_key(const WindowEvent& event) {
         case Key::kF2:
             break;
         default:
-            held_.set(at(event.key));
-            tapped_.set(at(event.key));
-            ++devices_.presses[at(event.key)];
+            hand_key(event.key);
             break;
     }
 }
 
-/// Letters that mean something wherever the keyboard puts them: sound and lens.
+void AttemptControls::hand_key(Key key) {
+    const Key does = setup_.layout.does(key);
+    if (does == Key::kCount) return;
+    // Where nothing was chosen it is the letter that counts, below.
+    if (does == Key::kL || does == Key::kM) {
+        if (key != does) commands_.push_back(does == Key::kL ? Command::kWipeLens : Command::kMute);
+        return;
+    }
+    held_.set(at(does));
+    tapped_.set(at(does));
+    ++devices_.presses[at(does)];
+}
+
+/// Letters that mean something wherever the keyboard puts them, unless their key does something
+/// else: sound and lens.
 void AttemptControls::letter(char32_t code) {
-    if (code == U'm' || code == U'M') commands_.push_back(Command::kMute);
+    const auto usual = [this](Key key) { return setup_.layout.does(key) == key; };
+    if ((code == U'm' || code == U'M') && usual(Key::kM)) commands_.push_back(Command::kMute);
     if (code == U'+') commands_.push_back(Command::kLouder);
     if (code == U'-') commands_.push_back(Command::kSofter);
-    if (code == U'l' || code == U'L') commands_.push_back(Command::kWipeLens);
+    if ((code == U'l' || code == U'L') && usual(Key::kL)) commands_.push_back(Command::kWipeLens);
 }
 
 void AttemptControls::watch_hold() {
@@ -264,15 +281,19 @@ void AttemptControls::publish(const sim::WindowInput& totals, bool operating) {
     // What was pressed and let go between two pictures is seen for one of them.
     devices_.down = held_ | tapped_;
     for (const Key key : {Key::kShift, Key::kControl})
-        devices_.down.set(at(key), operating && totals.is_down(key));
-    devices_.left = buttons_[0] || clicked_[0];
-    devices_.right = buttons_[1] || clicked_[1];
+        devices_.down.set(at(key), operating && haptics::is_down(totals, setup_.layout, key));
+    const size_t first = setup_.layout.buttons_exchanged ? 1 : 0;
+    devices_.left = buttons_[first] || clicked_[first];
+    devices_.right = buttons_[1 - first] || clicked_[1 - first];
     devices_.middle = buttons_[2] || clicked_[2];
     tapped_.reset();
     clicked_.reset();
     devices_.focused = totals.focused;
     devices_.gamepad = totals.gamepad;
     devices_.gamepad_axis = totals.gamepad_axis;
+    if (setup_.layout.sticks_exchanged)
+        for (const size_t axis : {0, 1})
+            std::swap(devices_.gamepad_axis[axis], devices_.gamepad_axis[axis + 2]);
     devices_.gamepad_buttons = totals.gamepad_buttons & static_cast<uint16_t>(~kPadStart);
     if (!operating) {
         // Triggers rest at -1.

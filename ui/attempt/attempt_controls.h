@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "curriculum/conduct.h"
+#include "haptics/control_layout.h"
 #include "sim/core/event.h"
 #include "sim/step/recording.h"
 #include "ui/attempt/tuning_panel.h"
@@ -40,6 +41,7 @@ struct ControlsSetup {
     bool help_first = false;   ///< Begin with the help.
     bool window_hands = true;  ///< Mouse, keyboard or gamepad: without the focus hands stand still.
     std::string language = "en";
+    haptics::ControlLayout layout;  ///< Which key and button does what for the hands.
 };
 
 /// Where the pointer is, while it is free.
@@ -83,6 +85,7 @@ class AttemptControls {
     void take(const view::WindowEvent& event);
     void operate(const view::WindowEvent& event);
     void operate_key(const view::WindowEvent& event);
+    void hand_key(sim::Key key);
     void letter(char32_t code);
     [[nodiscard]] bool panel_takes(const view::WindowEvent& event);
     void menu_key(const view::WindowEvent& event);

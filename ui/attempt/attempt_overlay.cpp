@@ -4,6 +4,7 @@
 
 #include "curriculum/preset.h"
 #include "curriculum/step_hints.h"
+#include "haptics/control_words.h"
 #include "ui/attempt/motion.h"
 #include "ui/view/strings.h"
 
@@ -71,6 +72,9 @@ Help controls(const Arguments& arguments) {
 /// What a practice task asks for, with the hints for this device.
 void set_steps(view::OverlayState& overlay, const curriculum::Task& task, const std::string& device,
                const std::string& language) {
+    const auto with_keys = [&](const std::string& text) {
+        return haptics::in_layout(text, overlay.layout, overlay.practice.device, language);
+    };
     overlay.practice.device = haptics::hint_device(device);
     overlay.practice.steps.clear();
     const std::vector<curriculum::TaskStep> steps = curriculum::steps_for(task, device);
@@ -78,9 +82,9 @@ void set_steps(view::OverlayState& overlay, const curriculum::Task& task, const 
         const curriculum::TaskStep& step = steps[i];
         const sim::Hand before = i > 0 ? steps[i - 1].goal.hand : sim::Hand::kRight;
         const bool changes = step.goal.hand != before && step.goal.hand != sim::Hand::kCamera;
-        overlay.practice.steps.push_back({step.text.in(language),
-                                          curriculum::step_hint(step, device, changes).in(language),
-                                          changes});
+        overlay.practice.steps.push_back(
+            {with_keys(step.text.in(language)),
+             with_keys(curriculum::step_hint(step, device, changes).in(language)), changes});
         // A line that is to be followed must be seen.
         overlay.show_guide = overlay.show_guide || step.goal.kind == sim::PracticeKind::kTrace;
     }
@@ -94,6 +98,7 @@ view::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments
     overlay.title = task.title.in(arguments.language);
     overlay.goal = task.goal.in(arguments.language);
     overlay.help = controls(arguments);
+    overlay.layout = arguments.layout;
     overlay.time_limit_s = task.time_limit_s > 0 || arguments.duration_s > 0
                                ? curriculum::limit_of(task, arguments.duration_s)
                                : 0;
@@ -120,6 +125,7 @@ view::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments
 view::OverlayState replay_overlay(const curriculum::Task& task, const sim::Recording& recording,
                                   const Arguments& arguments) {
     view::OverlayState overlay = attempt_overlay(task, arguments);
+    overlay.layout = {};  // nobody holds anything
     // The steps of whoever was recorded; nobody is to do anything now.
     set_steps(overlay, task, recording.header.device, arguments.language);
     for (auto& step : overlay.practice.steps) step.hint.clear();

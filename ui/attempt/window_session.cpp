@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "curriculum/usual_time.h"
+#include "haptics/control_words.h"
 #include "haptics/window_hands.h"
 #include "ui/attempt/attempt_controls.h"
 #include "ui/attempt/attempt_overlay.h"
@@ -51,6 +52,7 @@ ControlsSetup controls_setup(const curriculum::Task& task, const Arguments& argu
     setup.help_first =
         setup.window_hands && task.steps.empty() && curriculum::conduct_of(arguments.mode).help;
     setup.language = arguments.language;
+    setup.layout = arguments.layout;
     return setup;
 }
 
@@ -248,7 +250,9 @@ class WindowSession {
     void tend_lens() {
         const bool dirty = view_.lens().dirty();
         if (dirty && scripted_) view_.wipe_lens();
-        if (dirty && !lens_told_ && !scripted_ && overlay_.warnings) note("L wipes the lens");
+        if (dirty && !lens_told_ && !scripted_ && overlay_.warnings)
+            note(haptics::in_layout(view::translated("L wipes the lens", overlay_.language),
+                                    overlay_.layout, overlay_.practice.device, overlay_.language));
         lens_told_ = dirty;
     }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "haptics/control_words.h"
 #include "sim/cutting/diathermy.h"
 #include "ui/view/overlay_style.h"
 #include "ui/view/strings.h"
@@ -46,6 +47,10 @@ std::string clock_text(double seconds) {
 
 std::string Overlay::say(std::string_view english) const {
     return translated(english, state_->language);
+}
+
+std::string Overlay::with_keys(std::string_view text) const {
+    return haptics::in_layout(text, state_->layout, state_->practice.device, state_->language);
 }
 
 std::string Overlay::phrase(std::string_view english, const std::string& first,
@@ -325,7 +330,7 @@ void Overlay::warning() {
 void Overlay::help() {
     double keys = 0, texts = 0;
     for (const auto& [key, text] : state_->help) {
-        keys = std::max(keys, paint_->text_width(say(key), TextSize::kSmall));
+        keys = std::max(keys, paint_->text_width(with_keys(say(key)), TextSize::kSmall));
         texts = std::max(texts, paint_->text_width(say(text), TextSize::kSmall));
     }
     const double row = paint_->line_height(TextSize::kSmall) + 0.25 * unit_;
@@ -337,7 +342,7 @@ void Overlay::help() {
     paint_->text(x + 1.2 * unit_, y + 1.9 * unit_, say("Controls"), TextSize::kNormal, kText);
     double line = y + 1.9 * unit_ + 1.7 * unit_;
     for (const auto& [key, text] : state_->help) {
-        paint_->text(x + 1.2 * unit_, line, say(key), TextSize::kSmall, kAccent);
+        paint_->text(x + 1.2 * unit_, line, with_keys(say(key)), TextSize::kSmall, kAccent);
         paint_->text(x + 2.4 * unit_ + keys, line, say(text), TextSize::kSmall, kText);
         line += row;
     }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "haptics/control_layout.h"
 #include "haptics/hint_device.h"
 #include "sim/core/practice.h"
 #include "sim/step/snapshot.h"
@@ -72,6 +73,7 @@ struct OverlayState {
     MenuOverlay menu;
     double holding = 0;  ///< How far Enter has been held, 0..1.
     PracticeOverlay practice;
+    haptics::ControlLayout layout;  ///< Keys that help and hints name.
     TuningOverlay tuning;
 };
 inline constexpr double kGaugeMm = 5;  ///< Height that the gauge beside a tip shows [mm].
@@ -156,6 +158,8 @@ class Overlay {
                Align align = Align::kCentre);
     // overlay_hint.cpp: the very key or button, when nothing comes of a step.
     void hint();
+    /// A translated text with the keys that the person has chosen.
+    [[nodiscard]] std::string with_keys(std::string_view text) const;
     /// %1 and %2 of a translated pattern replaced.
     [[nodiscard]] std::string phrase(std::string_view english, const std::string& first,
                                      const std::string& second = {}) const;

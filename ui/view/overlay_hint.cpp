@@ -231,7 +231,8 @@ void Overlay::hint() {
     const PracticeOverlay::Step& step = practice.steps[now];
     // Of a step for the other hand the keys begin with the change; done, it is not asked for again.
     const bool change = practice.in_hand < 0 ? step.changes_hand : wrong;
-    std::vector<HintSymbol> symbols = hint_symbols(practice.goal.step, practice.device, change);
+    std::vector<HintSymbol> symbols =
+        hint_symbols(practice.goal.step, practice.device, change, state_->layout);
     if (wrong && !step.changes_hand && !symbols.empty()) symbols.resize(1);
     if (symbols.empty()) return;
     const double room = 0.5 * width_ - circle_.radius - 2 * margin_;

@@ -64,7 +64,7 @@ std::string Overlay::hint_text() const {
     // A step for the other hand says it itself.
     if (!wrong_hand() || step.changes_hand) return step.hint;
     const auto wanted = static_cast<size_t>(goal_tool());
-    return phrase("Tab: back to the %1", say(tool_word(snapshot_->tools[wanted].kind)));
+    return with_keys(phrase("Tab: back to the %1", say(tool_word(snapshot_->tools[wanted].kind))));
 }
 
 /// Height of a step in the list; how to do it and how much is done stand below the present one.

@@ -133,7 +133,8 @@ void Overlay::target_text(int tool, const Vec2& px, double radius, const Vec3& a
     const bool cut = step.kind == PracticeKind::kCut, coag = step.kind == PracticeKind::kCoag;
     const uint8_t wanted = cut ? kPedalCut : coag ? kPedalCoag : uint8_t{0};
     if (wanted != 0 && seen.pedals != wanted)
-        label(place, say(pedal_words(state_->practice.device, cut)), cut ? kYellow : kBlue);
+        label(place, with_keys(say(pedal_words(state_->practice.device, cut))),
+              cut ? kYellow : kBlue);
     else if (step.kind == PracticeKind::kGrasp)
         label(place, say("now close the jaws"), kGood);
     else if (const std::string amount = amount_text(); !amount.empty())

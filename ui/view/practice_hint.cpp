@@ -177,10 +177,34 @@ Symbols with_grip(PracticeKind kind, Thing grip, HintSymbol close) {
     return {};
 }
 
+/// Keys, buttons and sticks that a person has chosen, in place of those as delivered.
+void put_on_keys(Symbols& symbols, haptics::HintDevice device,
+                 const haptics::ControlLayout& layout) {
+    const bool mouse = device == haptics::HintDevice::kMouse;
+    const bool all = mouse || device == haptics::HintDevice::kKeyboard;
+    for (HintSymbol& symbol : symbols) {
+        const std::string_view name = symbol.name;
+        if (symbol.thing == Thing::kKey && (all || name == "Tab")) {
+            for (const haptics::Control& control : haptics::layout_controls())
+                if (name == haptics::key_name(control.does)) {
+                    // A name is a literal and ends with a zero.
+                    symbol.name = haptics::key_name(layout.key_for(control.does)).data();
+                    break;
+                }
+        } else if (mouse && layout.buttons_exchanged && symbol.thing == Thing::kMouseLeft) {
+            symbol.thing = Thing::kMouseRight;
+        } else if (mouse && layout.buttons_exchanged && symbol.thing == Thing::kMouseRight) {
+            symbol.thing = Thing::kMouseLeft;
+        } else if (symbol.thing == Thing::kStick && layout.sticks_exchanged) {
+            symbol.name = name == "L" ? "R" : "L";
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<HintSymbol> hint_symbols(const PracticeStep& step, haptics::HintDevice device,
-                                     bool changes_hand) {
+                                     bool changes_hand, const haptics::ControlLayout& layout) {
     const bool scope = step.hand == Hand::kCamera;
     Symbols symbols;
     switch (device) {
@@ -204,6 +228,7 @@ std::vector<HintSymbol> hint_symbols(const PracticeStep& step, haptics::HintDevi
     }
     if (changes_hand && !scope && !symbols.empty())
         symbols.insert(symbols.begin(), key(device == haptics::HintDevice::kArm ? "2" : "Tab"));
+    put_on_keys(symbols, device, layout);
     return symbols;
 }
 

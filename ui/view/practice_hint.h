@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "haptics/control_layout.h"
 #include "haptics/hint_device.h"
 #include "sim/core/practice.h"
 
@@ -35,8 +36,9 @@ struct HintSymbol {
     bool together = false;  ///< Held while the next one is done.
 };
 
-/// Empty where this device has nothing for the step.
+/// Empty where this device has nothing for the step. Keys and buttons as `layout` has them.
 [[nodiscard]] std::vector<HintSymbol> hint_symbols(const sim::PracticeStep& step,
-                                                   haptics::HintDevice device, bool changes_hand);
+                                                   haptics::HintDevice device, bool changes_hand,
+                                                   const haptics::ControlLayout& layout = {});
 
 }  // namespace placode::view
