@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// My account: who I am here, a new password, a PIN for a quick return, my data, and erasure.
+// My account: who I am here, a new password, a PIN for a quick return, keys and buttons, my data,
+// and erasure.
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -8,6 +9,7 @@
 
 #include "reports/people_file.h"
 #include "ui/shell/account_fields.h"
+#include "ui/shell/controls_card.h"
 #include "ui/shell/export_folder.h"
 #include "ui/shell/local_profile_card.h"
 #include "ui/shell/pages.h"
@@ -19,7 +21,7 @@ namespace {
 class AccountPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(AccountPage)
  public:
-    explicit AccountPage(AppContext& context) : Page(context) {
+    AccountPage(AppContext& context, const Place& place) : Page(context) {
         QVBoxLayout* column = make_column(this, 620);
         column->addWidget(make_label(tr("My account"), "display"));
         auto* layout = new QVBoxLayout;
@@ -44,9 +46,12 @@ class AccountPage : public Page {
             column->addWidget(passwordCard());
             column->addWidget(pinCard());
         }
+        QWidget* controls = make_controls_card(context);
+        column->addWidget(controls);
         column->addWidget(dataCard());
         column->addWidget(erasureCard());
         column->addStretch();
+        if (place.text == "controls") begin_at(controls);
     }
 
     [[nodiscard]] QString title() const override { return tr("My account"); }
@@ -260,6 +265,8 @@ class AccountPage : public Page {
 
 }  // namespace
 
-Page* make_account_page(AppContext& context, const Place&) { return new AccountPage(context); }
+Page* make_account_page(AppContext& context, const Place& place) {
+    return new AccountPage(context, place);
+}
 
 }  // namespace placode::ui

@@ -42,6 +42,7 @@ QStringList simulator_arguments(const AttemptOrder& order, const LaunchOptions& 
     const QString device = options.hands.isEmpty() ? order.device : options.hands;
     QStringList arguments{"--task",   order.task,           "--device", device,
                           "--record", order.recording_file, "--status"};
+    if (!order.controls.isEmpty()) arguments << "--controls" << order.controls;
     if (order.demonstration) arguments << "--demonstration";
     if (order.duration_s > 0) arguments << "--duration" << QString::number(order.duration_s);
     const AttemptMode mode = order.mode();

@@ -8,6 +8,8 @@
 #include <QMessageBox>
 #include <QPainter>
 #include <QScrollArea>
+#include <QScrollBar>
+#include <QTimer>
 #include <cmath>
 
 #include "db/attempt_counting.h"
@@ -239,6 +241,25 @@ QVBoxLayout* make_column(QWidget* page, int width) {
     scroll->setWidget(inside);
     outer->addWidget(scroll);
     return column;
+}
+
+void begin_at(QWidget* card) {
+    constexpr int kLookAgainMs = 20;  // A page is built before it is shown.
+    QTimer::singleShot(kLookAgainMs, card, [card] {
+        if (!card->isVisible()) return begin_at(card);
+        QScrollArea* scroll = nullptr;
+        for (QWidget* above = card->parentWidget(); above != nullptr && scroll == nullptr;
+             above = above->parentWidget())
+            scroll = qobject_cast<QScrollArea*>(above);
+        if (scroll == nullptr) return;
+        scroll->verticalScrollBar()->setValue(card->mapTo(scroll->widget(), QPoint()).y() -
+                                              kSpace16);
+        for (QPushButton* button : card->findChildren<QPushButton*>()) {
+            if (!button->isEnabled()) continue;
+            button->setFocus(Qt::OtherFocusReason);
+            return;
+        }
+    });
 }
 
 /// To the tenth that is shown.

@@ -59,6 +59,8 @@ void fit_columns(QTableWidget* table, int stretch);
 
 /// A scrolling column of at most `width` px that holds a page's content.
 [[nodiscard]] QVBoxLayout* make_column(QWidget* page, int width = 1080);
+/// Scrolls such a column to a card of it, once both are laid out, and puts the focus into the card.
+void begin_at(QWidget* card);
 
 [[nodiscard]] QString format_number(double value, int decimals);
 /// A metric's value with decimals that fit its size.

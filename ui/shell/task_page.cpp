@@ -13,8 +13,11 @@
 
 #include "curriculum/conduct.h"
 #include "curriculum/definitions.h"
+#include "haptics/control_words.h"
 #include "haptics/device.h"
+#include "haptics/hint_device.h"
 #include "reports/metric_groups.h"
+#include "ui/shell/controls_card.h"
 #include "ui/shell/device_tester.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -125,7 +128,8 @@ class TaskPage : public Page {
             line->setSpacing(kSpace12);
             QLabel* badge = make_badge(QString::number(number++), "accent");
             line->addWidget(badge, 0, Qt::AlignTop);
-            line->addWidget(make_label(context_.in(step)), 1);
+            line->addWidget(make_label(withKeys(context_.in(step), haptics::HintDevice::kKeyboard)),
+                            1);
             layout->addLayout(line);
         }
         if (const QString aids = aidWords(); !aids.isEmpty())
@@ -195,6 +199,12 @@ class TaskPage : public Page {
         controls_->setObjectName("controls");
         controls_->setTextFormat(Qt::RichText);
         layout->addWidget(controls_);
+        change_ = make_button(context_, tr("Change keys and buttons"), "quiet");
+        change_->setObjectName("change_controls");
+        connect(change_, &QPushButton::clicked, this, [this] {
+            Q_EMIT go({PageId::kAccount, 0, "controls", {}});
+        });
+        layout->addWidget(change_, 0, Qt::AlignLeft);
         return make_card(layout);
     }
 
@@ -206,6 +216,16 @@ class TaskPage : public Page {
                                   : found->second);
         start_->setEnabled(!context_.launcher().running());
         controls_->setText(controlsOf(name));
+        const haptics::HintDevice hands = haptics::hint_device(name.toStdString());
+        change_->setVisible(hands == haptics::HintDevice::kMouse ||
+                            hands == haptics::HintDevice::kKeyboard ||
+                            hands == haptics::HintDevice::kGamepad);
+    }
+
+    /// A text with the keys that whoever is signed in has chosen.
+    [[nodiscard]] QString withKeys(const QString& text, haptics::HintDevice device) const {
+        return qstr(haptics::in_layout(text.toStdString(), layout_, device,
+                                       context_.language().toStdString()));
     }
 
     /// A table: what one wants to do, and below it which control does it.
@@ -218,7 +238,8 @@ class TaskPage : public Page {
                     .arg(muted,
                          QCoreApplication::translate("Controls", help.action.c_str())
                              .toHtmlEscaped(),
-                         QCoreApplication::translate("Controls", help.input.c_str())
+                         withKeys(QCoreApplication::translate("Controls", help.input.c_str()),
+                                  haptics::hint_device(device.toStdString()))
                              .toHtmlEscaped());
         if (rows.isEmpty()) return tr("Nothing to hold. Escape in the window opens the menu.");
         return rows + "<p style='margin:0'>" +
@@ -251,6 +272,7 @@ class TaskPage : public Page {
             order.task = qstr(task_.id);
             order.title = context_.in(task_.title);
             order.device = devices_->currentData().toString();
+            order.controls = qstr(own_layout(context_).text());
             order.started_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
             order.demonstration = context_.user().demonstration;
             if (exam_.stage() != nullptr) exam_.prepare(order, haptic_.count(order.device) > 0);
@@ -266,7 +288,8 @@ class TaskPage : public Page {
     std::map<QString, QString> details_;
     QString wanted_;  // the device of last time, until somebody chooses
     QComboBox* devices_ = nullptr;
-    QPushButton* start_ = nullptr;
+    QPushButton *start_ = nullptr, *change_ = nullptr;
+    haptics::ControlLayout layout_ = own_layout(context_);
     QLabel *device_note_ = nullptr, *controls_ = nullptr;
 };
 

@@ -203,6 +203,29 @@ namespace {
     QT_TRANSLATE_NOOP("Controls", "turn the handle"),
 };
 
+[[maybe_unused]] const char* const kLayout[] = {
+    QT_TRANSLATE_NOOP("Layout", "Move up"),
+    QT_TRANSLATE_NOOP("Layout", "Move down"),
+    QT_TRANSLATE_NOOP("Layout", "Move left"),
+    QT_TRANSLATE_NOOP("Layout", "Move right"),
+    QT_TRANSLATE_NOOP("Layout", "Go deeper"),
+    QT_TRANSLATE_NOOP("Layout", "Come back"),
+    QT_TRANSLATE_NOOP("Layout", "Turn to the left"),
+    QT_TRANSLATE_NOOP("Layout", "Turn to the right"),
+    QT_TRANSLATE_NOOP("Layout", "Cut, close the jaws"),
+    QT_TRANSLATE_NOOP("Layout", "Coagulate"),
+    QT_TRANSLATE_NOOP("Layout", "Precise"),
+    QT_TRANSLATE_NOOP("Layout", "Mouse turns, wheel goes further"),
+    QT_TRANSLATE_NOOP("Layout", "Hold the instrument still"),
+    QT_TRANSLATE_NOOP("Layout", "Next instrument"),
+    QT_TRANSLATE_NOOP("Layout", "Scope up"),
+    QT_TRANSLATE_NOOP("Layout", "Scope down"),
+    QT_TRANSLATE_NOOP("Layout", "Scope left"),
+    QT_TRANSLATE_NOOP("Layout", "Scope right"),
+    QT_TRANSLATE_NOOP("Layout", "Wipe the lens"),
+    QT_TRANSLATE_NOOP("Layout", "Sound off, on"),
+};
+
 [[maybe_unused]] const char* const kDevices[] = {
     QT_TRANSLATE_NOOP("Device", "tip in the picture's plane, wheel for depth; no force"),
     QT_TRANSLATE_NOOP("Device", "fixed speeds; no force"),

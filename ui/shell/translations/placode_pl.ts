@@ -2,6 +2,159 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pl_PL">
 <context>
+    <name>Layout</name>
+    <message>
+        <source>Move up</source>
+        <translation>Ruch w górę</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Ruch w dół</translation>
+    </message>
+    <message>
+        <source>Move left</source>
+        <translation>Ruch w lewo</translation>
+    </message>
+    <message>
+        <source>Move right</source>
+        <translation>Ruch w prawo</translation>
+    </message>
+    <message>
+        <source>Go deeper</source>
+        <translation>Głębiej</translation>
+    </message>
+    <message>
+        <source>Come back</source>
+        <translation>Z powrotem</translation>
+    </message>
+    <message>
+        <source>Turn to the left</source>
+        <translation>Obrót w lewo</translation>
+    </message>
+    <message>
+        <source>Turn to the right</source>
+        <translation>Obrót w prawo</translation>
+    </message>
+    <message>
+        <source>Cut, close the jaws</source>
+        <translation>Cięcie, zamknięcie szczęk</translation>
+    </message>
+    <message>
+        <source>Coagulate</source>
+        <translation>Koagulacja</translation>
+    </message>
+    <message>
+        <source>Precise</source>
+        <translation>Precyzyjnie</translation>
+    </message>
+    <message>
+        <source>Mouse turns, wheel goes further</source>
+        <translation>Mysz obraca, kółko dalej</translation>
+    </message>
+    <message>
+        <source>Hold the instrument still</source>
+        <translation>Instrument stoi</translation>
+    </message>
+    <message>
+        <source>Next instrument</source>
+        <translation>Następny instrument</translation>
+    </message>
+    <message>
+        <source>Scope up</source>
+        <translation>Endoskop w górę</translation>
+    </message>
+    <message>
+        <source>Scope down</source>
+        <translation>Endoskop w dół</translation>
+    </message>
+    <message>
+        <source>Scope left</source>
+        <translation>Endoskop w lewo</translation>
+    </message>
+    <message>
+        <source>Scope right</source>
+        <translation>Endoskop w prawo</translation>
+    </message>
+    <message>
+        <source>Wipe the lens</source>
+        <translation>Przetarcie optyki</translation>
+    </message>
+    <message>
+        <source>Sound off, on</source>
+        <translation>Dźwięk wył., wł.</translation>
+    </message>
+</context>
+<context>
+    <name>ControlsCard</name>
+    <message>
+        <source>Keys and buttons</source>
+        <translation>Klawisze i przyciski</translation>
+    </message>
+    <message>
+        <source>For mouse, keyboard and gamepad, at this computer. The help and the hints name the keys that you choose. Press a key below to change it; Enter, Escape and the function keys always stay.</source>
+        <translation>Dla myszy, klawiatury i gamepada, na tym komputerze. Pomoc i wskazówki podają wybrane klawisze. Naciśnij klawisz poniżej, aby go zmienić; Enter, Escape i klawisze funkcyjne zawsze pozostają.</translation>
+    </message>
+    <message>
+        <source>Exchange the left and right mouse button</source>
+        <translation>Zamień lewy i prawy przycisk myszy</translation>
+    </message>
+    <message>
+        <source>Exchange the sticks of the gamepad</source>
+        <translation>Zamień gałki gamepada</translation>
+    </message>
+    <message>
+        <source>Not if the desktop has exchanged them already.</source>
+        <translation>Nie, jeśli pulpit już je zamienił.</translation>
+    </message>
+    <message>
+        <source>As delivered</source>
+        <translation>Jak dostarczono</translation>
+    </message>
+    <message>
+        <source>Mouse in the left hand</source>
+        <translation>Mysz w lewej ręce</translation>
+    </message>
+    <message>
+        <source>All keys and buttons are as delivered.</source>
+        <translation>Wszystkie klawisze i przyciski są jak dostarczono.</translation>
+    </message>
+    <message>
+        <source>The keys are below the right hand now, and the mouse buttons exchanged.</source>
+        <translation>Klawisze są teraz pod prawą ręką, a przyciski myszy zamienione.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be chosen. Letters, digits from 3, signs, arrows, the number pad, Space, Tab, Shift, Ctrl and Alt can.</source>
+        <translation>%1: nie można wybrać. Można: litery, cyfry od 3, znaki, strzałki, klawiaturę numeryczną, Spację, Tab, Shift, Ctrl i Alt.</translation>
+    </message>
+    <message>
+        <source>This key</source>
+        <translation>Ten klawisz</translation>
+    </message>
+    <message>
+        <source>Kept.</source>
+        <translation>Zapisano.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1, which was there, got %2.</source>
+        <translation>%1: teraz %2, bo klawisz był zajęty.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::KeyButton</name>
+    <message>
+        <source>Press a key…</source>
+        <translation>Naciśnij klawisz…</translation>
+    </message>
+</context>
+<context>
     <name>LocalProfileCard</name>
     <message>
         <source>Make an account of this profile</source>
@@ -5279,6 +5432,10 @@
 </context>
 <context>
     <name>TaskPage</name>
+    <message>
+        <source>Change keys and buttons</source>
+        <translation>Zmień klawisze i przyciski</translation>
+    </message>
     <message>
         <source>Placode is still working. The attempt begins when that is done, so that the computer is free for it.</source>
         <translation>Placode jeszcze pracuje. Próba zacznie się, gdy skończy, żeby komputer był dla niej wolny.</translation>
