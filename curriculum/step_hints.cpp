@@ -23,7 +23,7 @@ using ByDevice = std::array<Words, 5>;
 constexpr std::array<ByDevice, sim::kPracticeKinds> kHints{{
     // kMove
     {{{"Move the mouse. Ctrl makes it precise, Space holds the instrument still.",
-       "Ruszaj myszą. Ctrl: precyzyjnie, Spacja: instrument stoi."},
+       "Ruszaj myszą. Ctrl: precyzyjnie, Spacja: narzędzie stoi."},
       {"W A S D. Ctrl makes it precise.", "W A S D. Ctrl: precyzyjnie."},
       {"Left stick. The left bumper makes it precise.",
        "Lewa gałka. Lewy przycisk górny: precyzyjnie."},

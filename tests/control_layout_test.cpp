@@ -143,8 +143,8 @@ TEST(ControlWords, SayTheChosenKeysAndNoOthers) {
     own.put(Key::kUp, Key::kW);
     own.sticks_exchanged = true;
     EXPECT_EQ(
-        in_layout("Ctrl: precyzyjnie, Spacja: instrument stoi.", own, HintDevice::kMouse, "pl"),
-        "Ctrl: precyzyjnie, B: instrument stoi.");
+        in_layout("Ctrl: precyzyjnie, Spacja: narzędzie stoi.", own, HintDevice::kMouse, "pl"),
+        "Ctrl: precyzyjnie, B: narzędzie stoi.");
     EXPECT_EQ(in_layout("Arrow keys.", own, HintDevice::kKeyboard, "en"),
               "W \xE2\x86\x90 \xE2\x86\x93 \xE2\x86\x92.");
     EXPECT_EQ(in_layout("Left stick and triggers; the right stick turns it in.", own,

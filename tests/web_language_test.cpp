@@ -228,7 +228,7 @@ TEST_P(WebLanguageTest, SigningInAndRefusalsSpeakItToo) {
     EXPECT_TRUE(one.get("/sign-in").shows("<label for=\"password\">Hasło</label>"));
     EXPECT_TRUE(one.sign_in("trainee", "wrong one 12").shows("hasło jest błędne"));
     EXPECT_TRUE(one.post("/sign-in", {{"login", "x"}}).shows("pliki cookie są wyłączone"));
-    EXPECT_TRUE(one.sign_in("", "").shows("Wpisz nazwę logowania i hasło."));
+    EXPECT_TRUE(one.sign_in("", "").shows("Wpisz login i hasło."));
     EXPECT_TRUE(one.send("DELETE", "/").shows("Na tę stronę nie można niczego wysłać."));
     EXPECT_TRUE(one.get("/" + std::string(600, 'a')).shows("Zbyt długie żądanie"));
     EXPECT_TRUE(one.post("/sign-in?x=1", {{"login", "x"}}).shows("Nie można odczytać żądania."));

@@ -225,7 +225,7 @@ void ShellTroubleTest::everyRefusalOfTheStoreIsInTheCatalogue() {
         "sqlite:/a.db`";
     for (const QString& said : {moved, moved + "; nothing was changed"}) {
         const QString words = store_words(said);
-        QVERIFY2(words.startsWith("Magazyn danych przeniesiono do postgresql://db:5432/p;") &&
+        QVERIFY2(words.startsWith("Bazę przeniesiono do postgresql://db:5432/p;") &&
                      words.contains("`placodectl --store postgresql://db:5432/p store move"),
                  qPrintable(words));
     }

@@ -149,8 +149,11 @@ class HistoryPage : public Page {
         layout->setSpacing(kSpace8);
         layout->addWidget(make_label(tr("Learning curve"), "heading"));
         const assessment::LearningCurve curve = assessment::learning_curve(line.points);
+        const bool fits = curve.exponential && curve.exponential->converged;
         QLabel* words = make_label(
-            curve.exponential && curve.exponential->converged
+            fits && curve.exponential->gain <= 0
+                ? tr("No learning curve: what fits the scores does not rise.")
+            : fits
                 ? tr("The curve approaches %1 points; 95 % of the gain is reached after about %2 "
                      "attempts. %3")
                       .arg(format_points(curve.exponential->asymptote),

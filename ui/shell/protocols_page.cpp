@@ -269,7 +269,7 @@ class ProtocolsPage : public Page {
             std::optional<curriculum::StudyProtocol> study;
             if (isStudy()) {
                 study = curriculum::load_study_text(record.json, kindText());
-                if (record.reason.empty()) record.reason = study->reason;
+                if (record.reason.empty()) record.reason = ownReason(*study);
                 record.id = study->id, record.version = study->version;
             } else {
                 const auto read = curriculum::load_questionnaire_text(record.json, kindText());
@@ -287,6 +287,16 @@ class ProtocolsPage : public Page {
                               .arg(qstr(record.id))
                               .arg(record.version));
         });
+    }
+
+    /// Why this version differs, as its text says; empty where that is still the reason of the
+    /// version before.
+    [[nodiscard]] std::string ownReason(const curriculum::StudyProtocol& study) {
+        const auto before = context_.store().definitions().find(kindText(), study.id);
+        if (!before || before->version == study.version) return study.reason;
+        const bool same =
+            curriculum::load_study_text(before->json, kindText()).reason == study.reason;
+        return same ? std::string() : study.reason;
     }
 
     /// One question: about a text that still calls itself a draft, or that it is for good.

@@ -32,7 +32,7 @@ constexpr Polish kPolish[] = {
     {"Password", "Hasło"},
     {"That page was too old, or cookies are off. Try again.",
      "Ta strona była zbyt stara albo pliki cookie są wyłączone. Spróbuj ponownie."},
-    {"Type your log-in name and your password.", "Wpisz nazwę logowania i hasło."},
+    {"Type your log-in name and your password.", "Wpisz login i hasło."},
     {"Many people are signing in. Try again in a moment.",
      "Loguje się wiele osób. Spróbuj ponownie za chwilę."},
     {"Too many wrong passwords. Try again in %1 s.",
@@ -40,7 +40,7 @@ constexpr Polish kPolish[] = {
     {"This account is deactivated. An administrator can open it again.",
      "To konto jest wyłączone. Administrator może je włączyć."},
     {"Log-in name or password is wrong. Try again.",
-     "Nazwa logowania lub hasło jest błędne. Spróbuj ponownie."},
+     "Login lub hasło jest błędne. Spróbuj ponownie."},
     {"Somebody else chose your password and knows it. Sign in to the program Placode and choose "
      "your own, then come back.",
      "Twoje hasło ustaliła inna osoba i je zna. Zaloguj się w programie Placode, wybierz własne "
@@ -88,8 +88,8 @@ constexpr Polish kPolish[] = {
     {"stuck", "zastój"},
     {"Stuck: none of the last %1 attempts passed and no gain of %2 points. Regressed: passed "
      "before, but neither of the last two attempts.",
-     "Zastój: żadna z ostatnich %1 prób nie zaliczona i brak poprawy o %2 punkty. Regres: "
-     "wcześniej zaliczone, ale żadna z ostatnich dwóch prób."},
+     "Zastój: żadnej z ostatnich %1 prób nie zaliczono i wynik nie wzrósł o %2 punkty. Regres: "
+     "wcześniej zaliczano, ale żadnej z ostatnich dwóch prób nie zaliczono."},
     {"trainee", "uczestnik szkolenia"},
     {"educator", "instruktor"},
     {"coordinator", "koordynator"},
@@ -179,7 +179,7 @@ constexpr Polish kPolish[] = {
     {"Incision", "Nacięcie"},
     {"Placode@part", "Płytka nerwowa"},
     {"Tissue", "Tkanka"},
-    {"Grasping and resection", "Chwytanie i resekcja"},
+    {"Grasping and resection", "Chwytanie i wycięcie"},
     {"Energy and heat", "Energia i ciepło"},
     {"Force", "Siła"},
     {"Motion", "Ruch"},
@@ -305,8 +305,8 @@ constexpr Polish kPolish[] = {
      "%1 sędziów, błąd standardowy %2", "%1 sędziów, błąd standardowy %2"},
     {"contrasting groups, novices: %1, experts: %2; novices who pass: %3 % by the curves, %4 % "
      "observed",
-     "grupy kontrastowe, nowicjusze: %1, eksperci: %2; nowicjusze powyżej progu: %3 % z krzywych, "
-     "%4 % zaobserwowano"},
+     "grupy kontrastowe, początkujący: %1, eksperci: %2; początkujący powyżej progu: %3 % z "
+     "krzywych, %4 % zaobserwowano"},
     {"An attempt keeps the verdict of its day. Standards are set in Placode, on the page "
      "Standards.",
      "Próba zachowuje ocenę z dnia wykonania. Progi ustala się w Placode, na stronie Progi."},
@@ -325,7 +325,7 @@ constexpr Polish kPolish[] = {
     {"All packs", "Wszystkie pakiety"},
     {"%1, made on %2, rubric %3 %4", "%1, utworzono %2, kryteria %3 %4"},
     {"experts", "eksperci"},
-    {"novices", "nowicjusze"},
+    {"novices", "początkujący"},
     {"%2: %1 people", "%2: %1 osoba", "%2: %1 osoby", "%2: %1 osób"},
     {"%2, %1 attempts", "%2, %1 próba", "%2, %1 próby", "%2, %1 prób"},
     {"Mean", "Średnia"},

@@ -53,27 +53,27 @@
     </message>
     <message>
         <source>Hold the instrument still</source>
-        <translation>Instrument stoi</translation>
+        <translation>Narzędzie stoi</translation>
     </message>
     <message>
         <source>Next instrument</source>
-        <translation>Następny instrument</translation>
+        <translation>Następne narzędzie</translation>
     </message>
     <message>
         <source>Scope up</source>
-        <translation>Endoskop w górę</translation>
+        <translation>Fetoskop w górę</translation>
     </message>
     <message>
         <source>Scope down</source>
-        <translation>Endoskop w dół</translation>
+        <translation>Fetoskop w dół</translation>
     </message>
     <message>
         <source>Scope left</source>
-        <translation>Endoskop w lewo</translation>
+        <translation>Fetoskop w lewo</translation>
     </message>
     <message>
         <source>Scope right</source>
-        <translation>Endoskop w prawo</translation>
+        <translation>Fetoskop w prawo</translation>
     </message>
     <message>
         <source>Wipe the lens</source>
@@ -92,7 +92,7 @@
     </message>
     <message>
         <source>For mouse, keyboard and gamepad, at this computer. The help and the hints name the keys that you choose. Press a key below to change it; Enter, Escape and the function keys always stay.</source>
-        <translation>Dla myszy, klawiatury i gamepada, na tym komputerze. Pomoc i wskazówki podają wybrane klawisze. Naciśnij klawisz poniżej, aby go zmienić; Enter, Escape i klawisze funkcyjne zawsze pozostają.</translation>
+        <translation>Dla myszy, klawiatury i pada, na tym komputerze. Pomoc i wskazówki podają wybrane klawisze. Naciśnij klawisz poniżej, aby go zmienić; Enter, Escape i klawisze funkcyjne zawsze pozostają.</translation>
     </message>
     <message>
         <source>Exchange the left and right mouse button</source>
@@ -100,7 +100,7 @@
     </message>
     <message>
         <source>Exchange the sticks of the gamepad</source>
-        <translation>Zamień gałki gamepada</translation>
+        <translation>Zamień gałki pada</translation>
     </message>
     <message>
         <source>Not if the desktop has exchanged them already.</source>
@@ -108,7 +108,7 @@
     </message>
     <message>
         <source>As delivered</source>
-        <translation>Jak dostarczono</translation>
+        <translation>Przywróć domyślne</translation>
     </message>
     <message>
         <source>Mouse in the left hand</source>
@@ -116,7 +116,7 @@
     </message>
     <message>
         <source>All keys and buttons are as delivered.</source>
-        <translation>Wszystkie klawisze i przyciski są jak dostarczono.</translation>
+        <translation>Wszystkie klawisze i przyciski mają ustawienia domyślne.</translation>
     </message>
     <message>
         <source>The keys are below the right hand now, and the mouse buttons exchanged.</source>
@@ -181,7 +181,7 @@
     <name>MainWindow</name>
     <message>
         <source>Use this computer's own store</source>
-        <translation>Użyj magazynu danych tego komputera</translation>
+        <translation>Użyj bazy tego komputera</translation>
     </message>
 </context>
 <context>
@@ -290,7 +290,7 @@
     <name>AccountFields</name>
     <message>
         <source>A log-in name has no spaces: write it in one, as in anna.nowak.</source>
-        <translation>Nazwa logowania nie ma spacji: napisz ją razem, na przykład anna.nowak.</translation>
+        <translation>Login nie ma spacji: napisz go razem, na przykład anna.nowak.</translation>
     </message>
     <message>
         <source>at least %1 characters</source>
@@ -949,7 +949,7 @@
     </message>
     <message>
         <source>moved the store</source>
-        <translation>przeniesiono magazyn danych</translation>
+        <translation>przeniesiono bazę</translation>
     </message>
     <message>
         <source>restored a backup</source>
@@ -993,15 +993,15 @@
     </message>
     <message>
         <source>locked a participant's record</source>
-        <translation>zamknięto dokumentację uczestnika</translation>
+        <translation>zablokowano rekord uczestnika</translation>
     </message>
     <message>
         <source>signed a participant's record</source>
-        <translation>podpisano dokumentację uczestnika</translation>
+        <translation>podpisano rekord uczestnika</translation>
     </message>
     <message>
         <source>unlocked a participant's record</source>
-        <translation>otwarto dokumentację uczestnika</translation>
+        <translation>odblokowano rekord uczestnika</translation>
     </message>
     <message>
         <source>entered a questionnaire a second time</source>
@@ -1192,7 +1192,7 @@
     </message>
     <message>
         <source>Stuck: none of the last 5 attempts passed and no gain of 3 points. Regressed: passed before, but neither of the last two attempts.</source>
-        <translation>Zastój: żadna z ostatnich 5 prób nie zaliczona i brak poprawy o 3 punkty. Regres: wcześniej zaliczone, ale żadna z ostatnich dwóch prób.</translation>
+        <translation>Zastój: żadnej z ostatnich 5 prób nie zaliczono i wynik nie wzrósł o 3 punkty. Regres: wcześniej zaliczano, ale żadnej z ostatnich dwóch prób nie zaliczono.</translation>
     </message>
     <message>
         <source>%1 · %2 · last %3, best %4, attempts %5</source>
@@ -1783,7 +1783,7 @@
     </message>
     <message>
         <source>Resect</source>
-        <translation>Resekcja</translation>
+        <translation>Wycięcie</translation>
     </message>
     <message>
         <source>Check</source>
@@ -1955,7 +1955,7 @@
     </message>
     <message>
         <source>novices</source>
-        <translation>nowicjusze</translation>
+        <translation>początkujący</translation>
     </message>
     <message>
         <source>experts</source>
@@ -2132,6 +2132,10 @@
         <translation>Możliwy jest dalszy postęp.</translation>
     </message>
     <message>
+        <source>No learning curve: what fits the scores does not rise.</source>
+        <translation>Nie ma krzywej uczenia: krzywa dopasowana do wyników nie rośnie.</translation>
+    </message>
+    <message>
         <source>No curve fits yet: the scores go up and down without a trend.</source>
         <translation>Żadna krzywa jeszcze nie pasuje: wyniki rosną i spadają bez trendu.</translation>
     </message>
@@ -2248,7 +2252,7 @@
     </message>
     <message>
         <source>Energy in the air</source>
-        <translation>Energia w powietrzu</translation>
+        <translation>Energia poza tkanką</translation>
     </message>
     <message>
         <source>Resting on one spot with energy on</source>
@@ -2314,7 +2318,7 @@
     </message>
     <message>
         <source>Type your log-in name and your password.</source>
-        <translation>Wpisz nazwę logowania i hasło.</translation>
+        <translation>Wpisz login i hasło.</translation>
     </message>
     <message>
         <source>Signing in</source>
@@ -2326,7 +2330,7 @@
     </message>
     <message>
         <source>Log-in name or password is wrong. Try again.</source>
-        <translation>Nazwa logowania lub hasło jest błędne. Spróbuj ponownie.</translation>
+        <translation>Login lub hasło jest błędne. Spróbuj ponownie.</translation>
     </message>
     <message>
         <source>Too many wrong passwords. Try again in %1 s.</source>
@@ -2545,11 +2549,11 @@
     </message>
     <message>
         <source>Energy in the air</source>
-        <translation>Energia w powietrzu</translation>
+        <translation>Energia poza tkanką</translation>
     </message>
     <message>
         <source>Activations in the air</source>
-        <translation>Włączenia w powietrzu</translation>
+        <translation>Włączenia poza tkanką</translation>
     </message>
     <message>
         <source>Energy near the placode</source>
@@ -2765,11 +2769,11 @@
     </message>
     <message>
         <source>Resected tissue</source>
-        <translation>Usunięta tkanka</translation>
+        <translation>Wycięta tkanka</translation>
     </message>
     <message>
         <source>Marked tissue resected</source>
-        <translation>Usunięta tkanka oznaczona</translation>
+        <translation>Wycięta oznaczona tkanka</translation>
     </message>
     <message>
         <source>Grasps</source>
@@ -2845,15 +2849,15 @@
     </message>
     <message>
         <source>Impulse above the scene's force limit</source>
-        <translation>Impuls siły ponad granicę sceny</translation>
+        <translation>Popęd siły ponad granicę sceny</translation>
     </message>
     <message>
         <source>Marked tissue destroyed</source>
-        <translation>Zniszczona zaznaczona tkanka</translation>
+        <translation>Zniszczona oznaczona tkanka</translation>
     </message>
     <message>
         <source>Marked tissue gone</source>
-        <translation>Usunięta zaznaczona tkanka</translation>
+        <translation>Ubytek oznaczonej tkanki</translation>
     </message>
     <message>
         <source>Tip stuck in tissue</source>
@@ -2903,7 +2907,7 @@
     <name>MetricDefinition</name>
     <message>
         <source>From the first instrument in view to the end.</source>
-        <translation>Od chwili, gdy pierwszy instrument jest w obrazie, do końca.</translation>
+        <translation>Od chwili, gdy pierwsze narzędzie jest w obrazie, do końca.</translation>
     </message>
     <message>
         <source>Mean distance of the kerf's centre from the planned contour.</source>
@@ -2939,11 +2943,11 @@
     </message>
     <message>
         <source>Times an instrument pressed on the placode with more than the force that the scene warns of.</source>
-        <translation>Ile razy instrument nacisnął płytkę siłą większą niż ta, przed którą ostrzega scena.</translation>
+        <translation>Ile razy narzędzie nacisnęło płytkę siłą większą niż ta, przed którą ostrzega scena.</translation>
     </message>
     <message>
         <source>Total time an instrument pressed on the placode with more than that force.</source>
-        <translation>Łączny czas, w którym instrument naciskał płytkę siłą większą od tej.</translation>
+        <translation>Łączny czas, w którym narzędzie naciskało płytkę siłą większą od tej.</translation>
     </message>
     <message>
         <source>Largest contact force on the placode.</source>
@@ -2951,7 +2955,7 @@
     </message>
     <message>
         <source>Time an energised instrument touched the placode, with whatever force.</source>
-        <translation>Czas, w którym instrument pod prądem dotykał płytki, niezależnie od siły.</translation>
+        <translation>Czas, w którym narzędzie pod prądem dotykało płytki, niezależnie od siły.</translation>
     </message>
     <message>
         <source>Largest thermal dose in the placode, equivalent minutes at 43 C, at most 1e6.</source>
@@ -2991,7 +2995,7 @@
     </message>
     <message>
         <source>Times the pedal was down in the air for over 1 s.</source>
-        <translation>Ile razy pedał był wciśnięty w powietrzu ponad 1 s.</translation>
+        <translation>Ile razy pedał był wciśnięty poza tkanką ponad 1 s.</translation>
     </message>
     <message>
         <source>Time with the pedal down and the tip within 1 mm of the placode, or over it.</source>
@@ -3007,7 +3011,7 @@
     </message>
     <message>
         <source>Largest force of an instrument on tissue.</source>
-        <translation>Największa siła instrumentu działająca na tkankę.</translation>
+        <translation>Największa siła narzędzia działająca na tkankę.</translation>
     </message>
     <message>
         <source>Times the force was above the scene's limit.</source>
@@ -3075,7 +3079,7 @@
     </message>
     <message>
         <source>Length of the paths of the instrument tips, filtered at 10 Hz, 100 Hz.</source>
-        <translation>Droga końcówek instrumentów, filtr 10 Hz, 100 Hz.</translation>
+        <translation>Droga końcówek narzędzi, filtr 10 Hz, 100 Hz.</translation>
     </message>
     <message>
         <source>Path of the tips along their own shafts.</source>
@@ -3083,11 +3087,11 @@
     </message>
     <message>
         <source>Total rotation of the instruments.</source>
-        <translation>Łączny obrót instrumentów.</translation>
+        <translation>Łączny obrót narzędzi.</translation>
     </message>
     <message>
         <source>Path length over time.</source>
-        <translation>Długość drogi przez czas.</translation>
+        <translation>Długość drogi podzielona przez czas.</translation>
     </message>
     <message>
         <source>Times a tip's speed rose through 20 mm/s after having been below 10 mm/s.</source>
@@ -3095,7 +3099,7 @@
     </message>
     <message>
         <source>Time with all instruments below 1 mm/s and no pedal down.</source>
-        <translation>Czas, w którym wszystkie instrumenty poruszały się wolniej niż 1 mm/s i żaden pedał nie był wciśnięty.</translation>
+        <translation>Czas, w którym wszystkie narzędzia poruszały się wolniej niż 1 mm/s i żaden pedał nie był wciśnięty.</translation>
     </message>
     <message>
         <source>Spectral arc length, median over movements above 5 mm/s that last 0.3 s or more.</source>
@@ -3111,23 +3115,23 @@
     </message>
     <message>
         <source>Time that instrument tips were outside the picture.</source>
-        <translation>Czas, w którym końcówki instrumentów były poza obrazem.</translation>
+        <translation>Czas, w którym końcówki narzędzi były poza obrazem.</translation>
     </message>
     <message>
         <source>Times that an instrument tip left the picture.</source>
-        <translation>Ile razy końcówka instrumentu opuściła obraz.</translation>
+        <translation>Ile razy końcówka narzędzia opuściła obraz.</translation>
     </message>
     <message>
         <source>Share of the time that instrument tips were outside the picture.</source>
-        <translation>Część czasu, w której końcówki instrumentów były poza obrazem.</translation>
+        <translation>Część czasu, w której końcówki narzędzi były poza obrazem.</translation>
     </message>
     <message>
         <source>Idle time over the whole time.</source>
-        <translation>Czas bezczynności przez cały czas.</translation>
+        <translation>Czas bezruchu podzielony przez cały czas.</translation>
     </message>
     <message>
         <source>Total rotation of the instruments about their own shafts.</source>
-        <translation>Łączny obrót instrumentów wokół własnych trzonów.</translation>
+        <translation>Łączny obrót narzędzi wokół własnych trzonów.</translation>
     </message>
     <message>
         <source>Total change of the shafts' direction up and down, seen from the first pose.</source>
@@ -3139,19 +3143,19 @@
     </message>
     <message>
         <source>Planned contour that was cut, over the way of the tip while energy was on.</source>
-        <translation>Przecięta część planowanej linii przez drogę końcówki z włączonym prądem.</translation>
+        <translation>Długość przeciętej części planowanej linii podzielona przez drogę końcówki z włączonym prądem.</translation>
     </message>
     <message>
         <source>Cube root of the box around the tip's way over its length, busiest instrument.</source>
-        <translation>Pierwiastek sześcienny z prostopadłościanu wokół drogi końcówki przez jej długość, najczynniejszy instrument.</translation>
+        <translation>Pierwiastek sześcienny z objętości prostopadłościanu wokół drogi końcówki, podzielony przez długość tej drogi; narzędzie najczęściej używane.</translation>
     </message>
     <message>
         <source>Box around the way of the busiest instrument's tip.</source>
-        <translation>Prostopadłościan wokół drogi końcówki najczynniejszego instrumentu.</translation>
+        <translation>Prostopadłościan wokół drogi końcówki najczęściej używanego narzędzia.</translation>
     </message>
     <message>
         <source>Straight lines over the ways of the tips, over the movements of SPARC.</source>
-        <translation>Odcinki proste przez drogi końcówek, w ruchach wziętych do SPARC.</translation>
+        <translation>Długość odcinków prostych podzielona przez drogę końcówek, w ruchach wziętych do SPARC.</translation>
     </message>
     <message>
         <source>Times a tip moved faster than 50 mm/s for over 0.2 s.</source>
@@ -3159,7 +3163,7 @@
     </message>
     <message>
         <source>Times an instrument turned faster than 50 degrees a second for over 0.2 s.</source>
-        <translation>Ile razy instrument obracał się szybciej niż 50 stopni na sekundę ponad 0,2 s.</translation>
+        <translation>Ile razy narzędzie obracało się szybciej niż 50 stopni na sekundę ponad 0,2 s.</translation>
     </message>
     <message>
         <source>Dimensionless root-squared jerk, median over the movements of SPARC; 19 at best.</source>
@@ -3171,11 +3175,11 @@
     </message>
     <message>
         <source>Way of the left hand's instrument.</source>
-        <translation>Droga instrumentu lewej ręki.</translation>
+        <translation>Droga narzędzia lewej ręki.</translation>
     </message>
     <message>
         <source>Way of the right hand's instruments.</source>
-        <translation>Droga instrumentów prawej ręki.</translation>
+        <translation>Droga narzędzi prawej ręki.</translation>
     </message>
     <message>
         <source>Correlation of the hands' speeds.</source>
@@ -3183,7 +3187,7 @@
     </message>
     <message>
         <source>Shorter path divided by the longer one, of the two hands.</source>
-        <translation>Krótsza przez dłuższą drogę obu rąk.</translation>
+        <translation>Krótsza z dróg obu rąk podzielona przez dłuższą.</translation>
     </message>
     <message>
         <source>Share of the time with both hands above 5 mm/s.</source>
@@ -3207,15 +3211,15 @@
     </message>
     <message>
         <source>Root of the tip's power from 8 to 12 Hz, unfiltered, worst instrument.</source>
-        <translation>Pierwiastek z mocy ruchu końcówki od 8 do 12 Hz, bez filtra, najgorszy instrument.</translation>
+        <translation>Pierwiastek z mocy ruchu końcówki od 8 do 12 Hz, bez filtra, najgorsze narzędzie.</translation>
     </message>
     <message>
         <source>Root of the power of the tip's acceleration from 8 to 12 Hz, unfiltered, worst instrument.</source>
-        <translation>Pierwiastek z mocy przyspieszenia końcówki od 8 do 12 Hz, bez filtra, najgorszy instrument.</translation>
+        <translation>Pierwiastek z mocy przyspieszenia końcówki od 8 do 12 Hz, bez filtra, najgorsze narzędzie.</translation>
     </message>
     <message>
         <source>Mean force of instruments on tissue while they touch it.</source>
-        <translation>Średnia siła instrumentów działająca na tkankę podczas dotyku.</translation>
+        <translation>Średnia siła narzędzi działająca na tkankę podczas dotyku.</translation>
     </message>
     <message>
         <source>Root mean square of that force.</source>
@@ -3367,11 +3371,11 @@
     </message>
     <message>
         <source>Share of the marked volume that burned, tore or was washed away as crumbs.</source>
-        <translation>Część zaznaczonej objętości, która się spaliła, rozerwała lub została wypłukana jako okruchy.</translation>
+        <translation>Część oznaczonej objętości, która się spaliła, rozerwała lub została wypłukana jako okruchy.</translation>
     </message>
     <message>
         <source>Share of the marked volume that is no longer there, taken out or destroyed, as the picture shows it.</source>
-        <translation>Część zaznaczonej objętości, której już nie ma: wyciągnięta lub zniszczona, tak jak pokazuje obraz.</translation>
+        <translation>Część oznaczonej objętości, której już nie ma: wyciągnięta lub zniszczona, tak jak pokazuje obraz.</translation>
     </message>
     <message>
         <source>Time with the tip of an instrument inside tissue that it was pushed through; only periods longer than 0.3 s; a tip in a hole that was cut or torn is not stuck.</source>
@@ -3395,7 +3399,7 @@
     </message>
     <message>
         <source>Share of the marked volume that was drawn out of the field in pieces; what burned, tore or was washed away does not count.</source>
-        <translation>Część zaznaczonej objętości wyciągnięta z pola w kawałkach; to, co spalone, rozerwane lub wypłukane, się nie liczy.</translation>
+        <translation>Część oznaczonej objętości wyciągnięta z pola w kawałkach; to, co spalone, rozerwane lub wypłukane, się nie liczy.</translation>
     </message>
     <message>
         <source>Stretches of the planned contour without a point that is cut.</source>
@@ -3415,7 +3419,7 @@
     </message>
     <message>
         <source>Share of the marked volume that has left the field.</source>
-        <translation>Część zaznaczonej objętości, która opuściła pole.</translation>
+        <translation>Część oznaczonej objętości, która opuściła pole.</translation>
     </message>
     <message>
         <source>Uncut stretches of the planned contour.</source>
@@ -3709,7 +3713,7 @@
     </message>
     <message>
         <source>The log-in name %1 is taken: %2 has it. Choose another one.</source>
-        <translation>Nazwa logowania %1 jest zajęta: ma ją %2. Wybierz inną.</translation>
+        <translation>Login %1 jest zajęty: ma go %2. Wybierz inny.</translation>
     </message>
     <message>
         <source>People</source>
@@ -4309,7 +4313,7 @@
     </message>
     <message>
         <source>A recording</source>
-        <translation>Zapis</translation>
+        <translation>Nagranie</translation>
     </message>
     <message>
         <source>This is an exam: it is saved and uses up this attempt.</source>
@@ -4584,7 +4588,7 @@
     </message>
     <message>
         <source>The force device did not work as it must: forces of this attempt may have been wrong.</source>
-        <translation>Urządzenie siłowe nie działało tak, jak musi: siły w tej próbie mogły być błędne.</translation>
+        <translation>Urządzenie haptyczne nie działało prawidłowo: siły w tej próbie mogły być błędne.</translation>
     </message>
     <message>
         <source>Haptic certificate: sound.</source>
@@ -4600,7 +4604,7 @@
     </message>
     <message>
         <source>Novice band</source>
-        <translation>Pasmo nowicjuszy</translation>
+        <translation>Pasmo początkujących</translation>
     </message>
     <message>
         <source>Band: %1</source>
@@ -4608,7 +4612,7 @@
     </message>
     <message>
         <source>Bands of experts and novices: norm pack of %1, %2.</source>
-        <translation>Pasma ekspertów i nowicjuszy: pakiet norm %1, %2.</translation>
+        <translation>Pasma ekspertów i początkujących: pakiet norm %1, %2.</translation>
     </message>
     <message>
         <source>Exam</source>
@@ -4660,7 +4664,7 @@
     </message>
     <message>
         <source>The force device did not work as it must (%1).</source>
-        <translation>Urządzenie siłowe nie działało tak, jak powinno (%1).</translation>
+        <translation>Urządzenie haptyczne nie działało prawidłowo (%1).</translation>
     </message>
     <message>
         <source>%1.</source>
@@ -4903,7 +4907,7 @@
     </message>
     <message>
         <source>The attempt is over. Its recording is measured and scored; the result opens by itself.</source>
-        <translation>Próba jest zakończona. Jej zapis jest mierzony i oceniany; wynik otworzy się sam.</translation>
+        <translation>Próba jest zakończona. Jej nagranie jest mierzone i oceniane; wynik otworzy się sam.</translation>
     </message>
     <message>
         <source>%1 so far.</source>
@@ -4985,7 +4989,7 @@
     </message>
     <message>
         <source>A pass mark from two groups: choose who is a novice and who is an expert at this task. Each person counts once, with the mean of the last %1 attempts.</source>
-        <translation>Próg zaliczenia z dwóch grup: wskaż, kto w tym zadaniu jest nowicjuszem, a kto ekspertem. Każda osoba liczy się raz, średnią z ostatnich prób (liczba prób: %1).</translation>
+        <translation>Próg zaliczenia z dwóch grup: wskaż, kto w tym zadaniu jest początkującym, a kto ekspertem. Każda osoba liczy się raz, średnią z ostatnich prób (liczba prób: %1).</translation>
     </message>
     <message>
         <source>There are no attempts yet.</source>
@@ -5021,7 +5025,7 @@
     </message>
     <message>
         <source>novice</source>
-        <translation>nowicjusz</translation>
+        <translation>początkujący</translation>
     </message>
     <message>
         <source>expert</source>
@@ -5033,7 +5037,7 @@
     </message>
     <message>
         <source>Choose at least two novices and two experts.</source>
-        <translation>Wskaż co najmniej dwóch nowicjuszy i dwóch ekspertów.</translation>
+        <translation>Wskaż co najmniej dwóch początkujących i dwóch ekspertów.</translation>
     </message>
     <message>
         <source>These groups give no pass mark: their scores do not vary, or do not differ in the right direction.</source>
@@ -5061,7 +5065,7 @@
     </message>
     <message>
         <source>Novices who would pass</source>
-        <translation>Nowicjusze, którzy by zaliczyli</translation>
+        <translation>Początkujący, którzy by zaliczyli</translation>
     </message>
     <message>
         <source>Experts who would fail</source>
@@ -5149,7 +5153,7 @@
     </message>
     <message>
         <source>Novices: %1, experts: %2; novices who pass: %3 by the curves, %4 observed. %5</source>
-        <translation>Nowicjusze: %1, eksperci: %2; nowicjusze powyżej progu: %3 z krzywych, %4 zaobserwowano. %5</translation>
+        <translation>Początkujący: %1, eksperci: %2; początkujący powyżej progu: %3 z krzywych, %4 zaobserwowano. %5</translation>
     </message>
 </context>
 <context>
@@ -5771,7 +5775,7 @@
     </message>
     <message>
         <source>Moment of the recording</source>
-        <translation>Chwila zapisu</translation>
+        <translation>Chwila nagrania</translation>
     </message>
     <message>
         <source>Simulating to the moment</source>
@@ -5863,7 +5867,7 @@
     </message>
     <message>
         <source>The recording and its score are untouched.</source>
-        <translation>Zapis i wynik pozostały bez zmian.</translation>
+        <translation>Nagranie i wynik pozostały bez zmian.</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -6316,7 +6320,7 @@
     </message>
 <message>
         <source>What was recorded is kept. Please call the coordinator.</source>
-        <translation>Zapis jest zachowany. Proszę zawołać koordynatora.</translation>
+        <translation>Nagranie jest zachowane. Proszę zawołać koordynatora.</translation>
     </message>
     <message>
         <source>Signs you out, so that the next person can sign in</source>
@@ -6430,7 +6434,7 @@
     </message>
     <message>
         <source>1. Put the instrument into the port device before it is switched on.</source>
-        <translation>1. Włóż narzędzie do portu, zanim go włączysz.</translation>
+        <translation>1. Włóż narzędzie do urządzenia portowego, zanim zostanie ono włączone.</translation>
     </message>
     <message>
         <source>2. Turn and move it once through its whole way.</source>
@@ -6497,11 +6501,11 @@
     </message>
     <message>
         <source>Force test passed with %1 N: %2, %3.</source>
-        <translation>Próba siły zdana przy %1 N: %2, %3.</translation>
+        <translation>Test siły zdany przy %1 N: %2, %3.</translation>
     </message>
     <message>
         <source>No force test was passed on this computer yet.</source>
-        <translation>Na tym komputerze nie zdano jeszcze próby siły.</translation>
+        <translation>Na tym komputerze nie zdano jeszcze testu siły.</translation>
     </message>
     <message>
         <source>Save the settings</source>
@@ -6743,7 +6747,7 @@
     </message>
     <message>
         <source>largest force [N]; 0.5 for the first test of a device</source>
-        <translation>największa siła [N]; 0,5 przy pierwszej próbie urządzenia</translation>
+        <translation>największa siła [N]; 0,5 przy pierwszym teście urządzenia</translation>
     </message>
     <message>
         <source>path of libHD.so; empty: as the system finds it</source>
@@ -6827,7 +6831,7 @@
     </message>
     <message>
         <source>largest force with which that test was passed [N]</source>
-        <translation>największa siła, przy której próba się udała [N]</translation>
+        <translation>największa siła, przy której zdano test [N]</translation>
     </message>
     <message>
         <source>when</source>
@@ -6862,19 +6866,19 @@
     </message>
     <message>
         <source>Trying: %1</source>
-        <translation>Próba: %1</translation>
+        <translation>Test: %1</translation>
     </message>
     <message>
         <source>End the test</source>
-        <translation>Zakończ próbę</translation>
+        <translation>Zakończ test</translation>
     </message>
     <message>
         <source>Force test</source>
-        <translation>Próba siły</translation>
+        <translation>Test siły</translation>
     </message>
     <message>
         <source>Put a floor under the hand</source>
-        <translation>Podłóż podłogę pod rękę</translation>
+        <translation>Ustaw podłogę pod ręką</translation>
     </message>
     <message>
         <source>It pushed me out softly</source>
@@ -6898,11 +6902,11 @@
     </message>
     <message>
         <source>Trying the device</source>
-        <translation>Próba urządzenia</translation>
+        <translation>Test urządzenia</translation>
     </message>
     <message>
         <source>Now with at most %1 N. Hold the arm in the air, put the floor under it, go down slowly until it carries the hand, then let go: it must come to rest. One hand on the arm, the other at its power switch.</source>
-        <translation>Teraz najwyżej %1 N. Trzymaj ramię w powietrzu, podłóż podłogę, opuszczaj je powoli, aż podłoga poniesie rękę, potem puść: musi się uspokoić. Jedna ręka na ramieniu, druga przy wyłączniku.</translation>
+        <translation>Teraz najwyżej %1 N. Trzymaj ramię w powietrzu, ustaw podłogę, opuszczaj je powoli, aż podłoga podeprze rękę, potem puść: musi się uspokoić. Jedna ręka na ramieniu, druga przy wyłączniku.</translation>
     </message>
     <message>
         <source>Signals of %1</source>
@@ -6926,7 +6930,7 @@
     </message>
     <message>
         <source>This device gives no force: there is nothing to test.</source>
-        <translation>To urządzenie nie daje siły: nie ma czego próbować.</translation>
+        <translation>To urządzenie nie daje siły: nie ma czego testować.</translation>
     </message>
     <message>
         <source>ready</source>
@@ -7002,7 +7006,7 @@
     </message>
     <message>
         <source>%1 N passed and saved: the test is complete.</source>
-        <translation>%1 N zdane i zapisane: próba jest zakończona.</translation>
+        <translation>%1 N zdane i zapisane: test jest zakończony.</translation>
     </message>
     <message>
         <source>The force of this computer is limited to %1 N now. Check the axes and signs of the device before you try again.</source>
@@ -7014,7 +7018,7 @@
     </message>
     <message>
         <source>The test has ended; no force.</source>
-        <translation>Próba zakończona; brak siły.</translation>
+        <translation>Test zakończony; brak siły.</translation>
     </message>
 </context>
 <context>
@@ -7077,7 +7081,7 @@
     </message>
     <message>
         <source>At most [s] (familiarisation)</source>
-        <translation>Najwyżej [s] (oswojenie)</translation>
+        <translation>Najwyżej [s] (zapoznanie)</translation>
     </message>
     <message>
         <source>Time limit [s] (procedure; empty = none)</source>
@@ -7153,7 +7157,7 @@
     </message>
     <message>
         <source>Names a person: leaves only with permission</source>
-        <translation>Wskazuje osobę: opuszcza program tylko za zgodą</translation>
+        <translation>Wskazuje osobę: eksport tylko za zgodą</translation>
     </message>
     <message>
         <source>Consent</source>
@@ -7173,7 +7177,7 @@
     </message>
     <message>
         <source>Procedure: a recorded task</source>
-        <translation>Procedura: nagrywane zadanie</translation>
+        <translation>Zabieg: nagrywane zadanie</translation>
     </message>
     <message>
         <source>Likert scale</source>
@@ -7934,7 +7938,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>What this sample can carry</source>
-        <translation>Co ta próba może udźwignąć</translation>
+        <translation>Na co pozwala ta liczba osób</translation>
     </message>
     <message>
         <source>Levels by</source>
@@ -8351,11 +8355,11 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>From the feet</source>
-        <translation>Od stóp</translation>
+        <translation>Od strony stóp</translation>
     </message>
     <message>
         <source>Near the tip</source>
-        <translation>Przy końcówce</translation>
+        <translation>Blisko końcówki</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -8732,7 +8736,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>Change into the next version</source>
-        <translation>Zmień w następną wersję</translation>
+        <translation>Utwórz następną wersję</translation>
     </message>
     <message>
         <source>Import a course</source>
@@ -8869,7 +8873,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>A pack holds bands of a task (means and spreads of people, never of fewer than %1 and never a single attempt), signed by its centre. The pack in use is shown behind every attempt of the task. Packs of this centre are made on the page Standards.</source>
-        <translation>Pakiet zawiera pasma zadania (średnie i rozrzuty osób, nigdy mniej niż %1 i nigdy pojedynczej próby) podpisane przez ośrodek. Używany pakiet jest pokazywany za każdą próbą zadania. Pakiety tego ośrodka powstają na stronie Progi.</translation>
+        <translation>Pakiet zawiera pasma zadania (średnie i rozrzuty osób, nigdy mniej niż %1 i nigdy pojedynczej próby) podpisane przez ośrodek. Używany pakiet jest pokazywany w tle wyniku każdej próby tego zadania. Pakiety tego ośrodka powstają na stronie Progi.</translation>
     </message>
     <message>
         <source>Task</source>
@@ -9039,7 +9043,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>Of 100 trainees who are just good enough: how many lose nothing at this line? Every judge fills a column alone; a line counts by the most points it can take.</source>
-        <translation>Na 100 osób, które są dokładnie wystarczająco dobre: ile nie straci nic w tym wierszu? Każdy sędzia wypełnia swoją kolumnę sam; wiersz liczy się według największej liczby punktów, jaką może zabrać.</translation>
+        <translation>Na 100 osób, których umiejętności ledwie wystarczają do zaliczenia: ile nie straci punktów w tym wierszu? Każdy sędzia wypełnia swoją kolumnę sam; wiersz liczy się według największej liczby punktów, jaką może zabrać.</translation>
     </message>
     <message>
         <source>Judges</source>
@@ -9047,7 +9051,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>Line of the rubric</source>
-        <translation>Wiersz rubryki</translation>
+        <translation>Wiersz kryteriów</translation>
     </message>
     <message>
         <source>At most</source>
@@ -9079,7 +9083,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>This task's rubric has no lines.</source>
-        <translation>Rubryka tego zadania nie ma wierszy.</translation>
+        <translation>Kryteria tego zadania nie mają wierszy.</translation>
     </message>
     <message>
         <source>Pass mark: %1 points</source>
@@ -9174,7 +9178,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>Metrics: %1, without evidence: %2. A metric without evidence should weigh nothing in a rubric: take its line out, publish the rubric's next version and score the attempts again.</source>
-        <translation>Miary: %1, bez potwierdzenia: %2. Miara bez potwierdzenia nie powinna nic ważyć w rubryce: usuń jej wiersz, opublikuj następną wersję rubryki i oceń próby ponownie.</translation>
+        <translation>Miary: %1, bez potwierdzenia: %2. Miara bez potwierdzenia nie powinna nic ważyć w kryteriach: usuń jej wiersz, opublikuj następną wersję kryteriów i oceń próby ponownie.</translation>
     </message>
 </context>
 <context>
@@ -9388,7 +9392,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>the force device did not work as it must</source>
-        <translation>urządzenie siłowe nie działało jak trzeba</translation>
+        <translation>urządzenie haptyczne nie działało prawidłowo</translation>
     </message>
     <message>
         <source>the computer was too slow</source>
@@ -9613,11 +9617,11 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <name>Messages</name>
     <message>
         <source>The store is not where it was.</source>
-        <translation>Magazynu danych nie ma tam, gdzie był.</translation>
+        <translation>Bazy nie ma tam, gdzie była.</translation>
     </message>
     <message>
         <source>Restore a backup, or show where the store is now.</source>
-        <translation>Przywróć kopię zapasową albo wskaż, gdzie magazyn jest teraz.</translation>
+        <translation>Przywróć kopię zapasową albo wskaż, gdzie baza jest teraz.</translation>
     </message>
     <message>
         <source>The data that are there do not allow it.</source>
@@ -9641,7 +9645,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>The store is locked by another program.</source>
-        <translation>Magazyn danych jest zablokowany przez inny program.</translation>
+        <translation>Baza jest zablokowana przez inny program.</translation>
     </message>
     <message>
         <source>Close the other program, or wait and try again.</source>
@@ -9665,11 +9669,11 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>The store cannot be reached.</source>
-        <translation>Nie ma dostępu do magazynu danych.</translation>
+        <translation>Nie ma dostępu do bazy.</translation>
     </message>
     <message>
         <source>Is its disk or its server there? Then try again; else tell an administrator.</source>
-        <translation>Czy jego dysk lub serwer jest dostępny? Jeśli tak, spróbuj ponownie; jeśli nie, powiadom administratora.</translation>
+        <translation>Czy jej dysk lub serwer jest dostępny? Jeśli tak, spróbuj ponownie; jeśli nie, powiadom administratora.</translation>
     </message>
     <message>
         <source>This was refused.</source>
@@ -9789,7 +9793,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>The recording and its score are untouched.</source>
-        <translation>Zapis i jego wynik pozostają nienaruszone.</translation>
+        <translation>Nagranie i jego wynik pozostają nienaruszone.</translation>
     </message>
     <message>
         <source>Choose another device or try again.</source>
@@ -9801,27 +9805,27 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>What was recorded is kept and can be saved as interrupted.</source>
-        <translation>To, co zapisano, pozostaje i można to zachować jako próbę przerwaną.</translation>
+        <translation>To, co nagrano, pozostaje i można to zapisać jako próbę przerwaną.</translation>
     </message>
     <message>
         <source>A part of the recording is damaged; what is whole can be saved.</source>
-        <translation>Część zapisu jest uszkodzona; to, co jest całe, można zachować.</translation>
+        <translation>Część nagrania jest uszkodzona; to, co całe, można zapisać.</translation>
     </message>
     <message>
         <source>The recording is damaged and cannot be scored.</source>
-        <translation>Zapis jest uszkodzony i nie można go ocenić.</translation>
+        <translation>Nagranie jest uszkodzone i nie można go ocenić.</translation>
     </message>
     <message>
         <source>The recording of attempt %1 is damaged.</source>
-        <translation>Zapis próby %1 jest uszkodzony.</translation>
+        <translation>Nagranie próby %1 jest uszkodzone.</translation>
     </message>
     <message>
         <source>Its score stays; it cannot be watched. A backup may hold it whole.</source>
-        <translation>Wynik pozostaje; próby nie można obejrzeć. Kopia zapasowa może zawierać cały zapis.</translation>
+        <translation>Wynik pozostaje; próby nie można obejrzeć. Kopia zapasowa może zawierać całe nagranie.</translation>
     </message>
     <message>
         <source>A computer that nobody has vouched for wrote into the store.</source>
-        <translation>Do magazynu danych pisał komputer, za który nikt nie ręczył.</translation>
+        <translation>Do bazy pisał komputer, za który nikt nie ręczył.</translation>
     </message>
     <message>
         <source>If it is one of yours, an administrator vouches for it with `placodectl station trust`. If not, ask who had access.</source>
@@ -9833,7 +9837,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>It was cut off, or an older copy was put in the store's place by hand. Compare with a backup.</source>
-        <translation>Został odcięty albo ktoś ręcznie podłożył starszą kopię magazynu danych. Porównaj z kopią zapasową.</translation>
+        <translation>Został odcięty albo ktoś ręcznie podłożył starszą kopię bazy. Porównaj z kopią zapasową.</translation>
     </message>
     <message>
         <source>Data was changed from outside: %1.</source>
@@ -9849,7 +9853,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>The file of the store is damaged.</source>
-        <translation>Plik magazynu danych jest uszkodzony.</translation>
+        <translation>Plik bazy jest uszkodzony.</translation>
     </message>
     <message>
         <source>Make a copy of it now, then restore the last backup that is sound.</source>
@@ -9884,7 +9888,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>have a questionnaire answered</source>
-        <translation>przeprowadzać ankiet</translation>
+        <translation>przeprowadzać kwestionariuszy</translation>
     </message>
     <message>
         <source>export the data of a study</source>
@@ -9892,7 +9896,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>back up, restore or check the store</source>
-        <translation>tworzyć kopii, przywracać ani sprawdzać magazynu danych</translation>
+        <translation>tworzyć kopii, przywracać ani sprawdzać bazy</translation>
     </message>
     <message>
         <source>see the audit trail</source>
@@ -9936,7 +9940,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>use the store without signing in</source>
-        <translation>korzystać z magazynu danych bez zalogowania</translation>
+        <translation>korzystać z bazy bez zalogowania</translation>
     </message>
     <message>
         <source>set another person's password</source>
@@ -10039,11 +10043,11 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>this store is one person's without a password; make an account of that profile first</source>
-        <translation>ten magazyn danych należy do jednej osoby bez hasła; najpierw załóż konto dla tego profilu</translation>
+        <translation>ta baza należy do jednej osoby bez hasła; najpierw załóż konto dla tego profilu</translation>
     </message>
     <message>
         <source>its tables are missing or of an older version, and this log-in may not make any; their owner does, with `placodectl station role --apply`</source>
-        <translation>brak jego tabel albo są ze starszej wersji, a ten login nie może ich tworzyć; robi to ich właściciel poleceniem `placodectl station role --apply`</translation>
+        <translation>brak jej tabel albo są ze starszej wersji, a ten login nie może ich tworzyć; robi to ich właściciel poleceniem `placodectl station role --apply`</translation>
     </message>
     <message>
         <source>this log-in to the server can do more than a station should (%1); use one that is member of placode_station</source>
@@ -10051,15 +10055,15 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>the store was moved to %1; use that address, or bring it back with `%2`</source>
-        <translation>magazyn danych przeniesiono do %1; użyj tego adresu albo przenieś go z powrotem poleceniem `%2`</translation>
+        <translation>bazę przeniesiono do %1; użyj tego adresu albo przenieś ją z powrotem poleceniem `%2`</translation>
     </message>
     <message>
         <source>the store was moved to %1; use that address, or bring it back with `%2`; nothing was changed</source>
-        <translation>magazyn danych przeniesiono do %1; użyj tego adresu albo przenieś go z powrotem poleceniem `%2`; niczego nie zmieniono</translation>
+        <translation>bazę przeniesiono do %1; użyj tego adresu albo przenieś ją z powrotem poleceniem `%2`; niczego nie zmieniono</translation>
     </message>
     <message>
         <source>a store is being moved here from %1, and that is not finished; go on with `%2`</source>
-        <translation>magazyn danych z %1 jest właśnie tu przenoszony i nie jest to zakończone; dokończ poleceniem `%2`</translation>
+        <translation>baza z %1 jest właśnie tu przenoszona i nie jest to zakończone; dokończ poleceniem `%2`</translation>
     </message>
     <message>
         <source>the proctor &quot;%1&quot; has no account here</source>
@@ -10083,11 +10087,11 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>the login is taken; choose another one</source>
-        <translation>nazwa logowania jest zajęta; wybierz inną</translation>
+        <translation>login jest zajęty; wybierz inny</translation>
     </message>
     <message>
         <source>the login is empty</source>
-        <translation>nazwa logowania jest pusta</translation>
+        <translation>login jest pusty</translation>
     </message>
     <message>
         <source>the name is empty</source>
@@ -10103,7 +10107,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>the password is the login; choose another one</source>
-        <translation>hasło jest takie samo jak nazwa logowania; wybierz inne</translation>
+        <translation>hasło jest takie samo jak login; wybierz inne</translation>
     </message>
     <message>
         <source>a PIN has four to twelve digits</source>
@@ -10183,7 +10187,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>locked; to be mastered first: %1</source>
-        <translation>zablokowane; najpierw trzeba opanować: %1</translation>
+        <translation>zamknięte; najpierw trzeba zaliczyć: %1</translation>
     </message>
     <message>
         <source>all attempts are used</source>
@@ -10199,7 +10203,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>not mastered yet. %1</source>
-        <translation>jeszcze nieopanowane. %1</translation>
+        <translation>jeszcze niezaliczone. %1</translation>
     </message>
     <message>
         <source>%1 is published with another text, which is never changed; give your text the next version</source>
@@ -10215,7 +10219,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>only questionnaires, studies, courses, tasks, rubrics, standards and seals of consents are published</source>
-        <translation>publikuje się tylko ankiety, badania, kursy, zadania, kryteria, standardy i pieczęcie zgód</translation>
+        <translation>publikuje się tylko kwestionariusze, badania, kursy, zadania, kryteria, standardy i pieczęcie zgód</translation>
     </message>
     <message>
         <source>rubric %1 version %2 is known with another text; give the rubric the next version</source>
@@ -10263,19 +10267,19 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>the record of %1 is locked; unlock it with a reason first, which cancels its signature</source>
-        <translation>dokumentacja %1 jest zamknięta; najpierw otwórz ją z uzasadnieniem, co unieważni podpis</translation>
+        <translation>rekord %1 jest zablokowany; najpierw odblokuj go z uzasadnieniem, co unieważni podpis</translation>
     </message>
     <message>
         <source>it is locked already</source>
-        <translation>już zamknięte</translation>
+        <translation>już zablokowany</translation>
     </message>
     <message>
         <source>it is not locked</source>
-        <translation>nie jest zamknięte</translation>
+        <translation>nie jest zablokowany</translation>
     </message>
     <message>
         <source>it is signed already, by %1</source>
-        <translation>już podpisane przez: %1</translation>
+        <translation>już podpisany przez: %1</translation>
     </message>
     <message>
         <source>a signature needs its meaning, such as "%1"</source>
@@ -10287,15 +10291,15 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>login or password is wrong; nothing was signed</source>
-        <translation>nazwa logowania lub hasło są błędne; nic nie podpisano</translation>
+        <translation>login lub hasło jest błędne; nic nie podpisano</translation>
     </message>
     <message>
         <source>lock the record first: what is signed must not change</source>
-        <translation>najpierw zamknij dokumentację: to, co podpisane, nie może się zmieniać</translation>
+        <translation>najpierw zablokuj rekord: to, co podpisane, nie może się zmieniać</translation>
     </message>
     <message>
         <source>unlocking needs a reason</source>
-        <translation>otwarcie wymaga uzasadnienia</translation>
+        <translation>odblokowanie wymaga uzasadnienia</translation>
     </message>
     <message>
         <source>nothing was signed</source>
@@ -10307,7 +10311,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>the questionnaire %1 is not published, so that nothing says which answers are possible</source>
-        <translation>ankieta %1 nie jest opublikowana, więc nie wiadomo, jakie odpowiedzi są możliwe</translation>
+        <translation>kwestionariusz %1 nie jest opublikowany, więc nie wiadomo, jakie odpowiedzi są możliwe</translation>
     </message>
     <message>
         <source>a correction needs a reason</source>
@@ -10379,7 +10383,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>a PostgreSQL store is backed up on its server, with pg_dump</source>
-        <translation>kopię magazynu PostgreSQL robi się na jego serwerze, programem pg_dump</translation>
+        <translation>kopię bazy PostgreSQL robi się na jej serwerze, programem pg_dump</translation>
     </message>
     <message>
         <source>%1 exists and is not overwritten; give another name</source>
@@ -10387,7 +10391,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>the attempt has no recording</source>
-        <translation>próba nie ma zapisu</translation>
+        <translation>próba nie ma nagrania</translation>
     </message>
     <message>
         <source>the file is empty: the attempt never began; it can be removed</source>
