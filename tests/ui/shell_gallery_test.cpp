@@ -148,6 +148,8 @@ void ShellGalleryTest::normsAndTheChartOfFailuresAreShown() {
     settle(*shell_);
     QVERIFY2(shell.text("cusum_words").startsWith("CUSUM: since attempt"),
              qPrintable(shell.text("cusum_words")));
+    QVERIFY2(!shell.text("learning_words").contains("gain"),  // Later scores are lower.
+             qPrintable(shell.text("learning_words")));
     shell.whole("96_history_cusum");
 }
 

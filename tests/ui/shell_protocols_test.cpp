@@ -317,6 +317,22 @@ void ShellProtocolsTest::aStudyWithArmsIsBuiltAndPublishedWithAReason() {
     QCOMPARE(shell_->owner().definitions().find("study", "my_study", 1)->json, first->json);
     QCOMPARE(shell_->owner().definitions().find("study", "my_study")->reason,
              std::string("the committee asked for it"));
+    // The text's own reason will do, but not that of the version before.
+    QVERIFY(shell_->type("publish_reason", ""));
+    for (const char* version : {"3", "4"}) {
+        list()->setCurrentRow(0);
+        QVERIFY(shell_->type("form_version", version));
+        QVERIFY(shell_->type("form_reason", "a clearer title"));
+        QVERIFY(statusSays("No errors."));
+        shell_->confirmNext();
+        QVERIFY(press("definition_publish"));
+        QVERIFY(shell_->bannerSays(*version == '3' ? "version 3 is published" : "reason"));
+    }
+    QVERIFY(!shell_->owner().definitions().find("study", "my_study", 4).has_value());
+    QVERIFY(shell_->type("publish_reason", "the title once more"));
+    shell_->confirmNext();
+    QVERIFY(press("definition_publish"));
+    QVERIFY(shell_->bannerSays("version 4 is published"));
 }
 
 void ShellProtocolsTest::definitionsGoOutAndIn() {

@@ -4600,11 +4600,11 @@
     </message>
     <message>
         <source>Expert band</source>
-        <translation>Pasmo ekspertów</translation>
+        <translation>Eksperci</translation>
     </message>
     <message>
         <source>Novice band</source>
-        <translation>Pasmo początkujących</translation>
+        <translation>Początkujący</translation>
     </message>
     <message>
         <source>Band: %1</source>
