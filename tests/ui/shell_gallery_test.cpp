@@ -6,6 +6,8 @@
 // languages.
 
 #include <QAbstractSpinBox>
+#include <QAccessible>
+#include <algorithm>
 #include <set>
 
 #include "full_store.h"
@@ -25,6 +27,30 @@ constexpr Visitor kVisitors[]{{"demo.trainee", "placode-demo"},
                               {"demo.educator", "placode-demo"},
                               {"demo.coordinator", "placode-demo"},
                               {"ada", "correct horse"}};
+
+constexpr QAccessible::Role kOperated[] = {
+    QAccessible::Button,  QAccessible::CheckBox, QAccessible::RadioButton,  QAccessible::ComboBox,
+    QAccessible::SpinBox, QAccessible::Slider,   QAccessible::EditableText, QAccessible::Table,
+    QAccessible::Tree,    QAccessible::List,     QAccessible::PageTab,      QAccessible::Link};
+
+/// Walks the tree that Qt hands to AT-SPI and lists what can be operated and has no name there.
+/// How many things that can be operated it met.
+int walk_as_a_screen_reader(const QAccessibleInterface* at, const char* page, QStringList& wrong) {
+    if (at == nullptr || !at->isValid() || at->state().invisible) return 0;
+    const bool operated = std::ranges::find(kOperated, at->role()) != std::end(kOperated);
+    if (operated && at->text(QAccessible::Name).trimmed().isEmpty())
+        wrong << QString("%1: a screen reader meets a thing of role %2 without a name (%3)")
+                     .arg(page)
+                     .arg(at->role())
+                     .arg(at->object() != nullptr ? at->object()->objectName() : QString());
+    int met = operated ? 1 : 0;
+    // Inside of these stand parts of the same thing.
+    const bool whole = at->role() == QAccessible::ComboBox || at->role() == QAccessible::SpinBox ||
+                       at->role() == QAccessible::Table;
+    for (int i = 0; !whole && i < at->childCount(); ++i)
+        met += walk_as_a_screen_reader(at->child(i), page, wrong);
+    return met;
+}
 
 }  // namespace
 
@@ -122,6 +148,9 @@ void ShellGalleryTest::everythingThatTakesTheFocusIsNamed() {
                                  .arg(stop.name, widget->metaObject()->className(),
                                       widget->objectName());
             }
+            const int met = walk_as_a_screen_reader(
+                QAccessible::queryAccessibleInterface(&shell.window()), stop.name, wrong);
+            QVERIFY2(met >= 5, stop.name);
         }
     }
     wrong.removeDuplicates();
