@@ -55,12 +55,12 @@ cat >"$out/index.html" <<'HTML'
 <body><a href="en/index.html">English</a> <a href="pl/index.html" lang="pl">Polski</a></body>
 </html>
 HTML
-missing=0 links=0
+dead=0 links=0
 for page in "$out"/*/*.html; do
   while read -r link; do
     links=$((links + 1))
-    [ -e "$(dirname "$page")/$link" ] || { echo "manual_site.sh: $page: $link is not there" >&2; missing=$((missing + 1)); }
+    [ -e "$(dirname "$page")/$link" ] || { echo "manual_site.sh: $page: $link is not there" >&2; dead=$((dead + 1)); }
   done < <(grep -oE '(href|src)="[^"#:]+' "$page" | cut -d '"' -f 2)
 done
-echo "$out: $(find "$out" -name '*.html' | wc -l) pages, $links links and pictures followed, $missing missing"
-[ "$missing" -eq 0 ]
+echo "$out: $(find "$out" -name '*.html' | wc -l) pages, $links links and pictures followed, $dead missing"
+[ "$dead" -eq 0 ]
