@@ -11,6 +11,9 @@ cd "$(dirname "$0")/.."
 placode_install cmark-gfm
 out=${1:-build/manual_site}
 declare -A home=([en]="Contents" [pl]="Spis treści") other=([en]=pl [pl]=en) name=([en]=English [pl]=Polski)
+# Nothing of anybody else's is thrown away.
+[ ! -e "$out" ] || [ -e "$out/pl/metrics.html" ] ||
+  placode_fail "manual_site.sh: $out is there and holds no manual; name a new folder"
 rm -rf "$out"
 mkdir -p "$out"
 cp -r docs/manual/pictures "$out/pictures"
