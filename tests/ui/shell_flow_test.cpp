@@ -13,6 +13,7 @@
 #include "assessment/metrics.h"
 #include "curriculum/definitions.h"
 #include "curriculum/questionnaire.h"
+#include "haptics/control_layout.h"
 #include "haptics/device.h"
 #include "reports/words.h"
 #include "shell_harness.h"
@@ -455,6 +456,10 @@ void ShellFlowTest::everyStringHasAPolishTranslation() {
             const QString action = QCoreApplication::translate("Controls", line.action.c_str());
             QVERIFY2(action != QString::fromStdString(line.action), line.action.c_str());
         }
+    }
+    for (const haptics::Control& control : haptics::layout_controls()) {
+        const QString action = QCoreApplication::translate("Layout", control.action.data());
+        QVERIFY2(action != QString::fromUtf8(control.action.data()), control.action.data());
     }
     context.setLanguage("en");
 }

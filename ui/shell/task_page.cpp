@@ -272,7 +272,7 @@ class TaskPage : public Page {
             order.task = qstr(task_.id);
             order.title = context_.in(task_.title);
             order.device = devices_->currentData().toString();
-            order.controls = qstr(own_layout(context_).text());
+            order.controls = qstr(layout_.text());
             order.started_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
             order.demonstration = context_.user().demonstration;
             if (exam_.stage() != nullptr) exam_.prepare(order, haptic_.count(order.device) > 0);
