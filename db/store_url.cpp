@@ -3,13 +3,13 @@
 #include "db/store_url.h"
 
 #include <QDir>
-#include <QFileInfo>
 #include <QUrl>
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdlib>
 
+#include "db/password_file.h"
 #include "db/store_error.h"
 
 namespace placode::db {
@@ -124,9 +124,9 @@ bool needs_password(const StoreUrl& url) {
     const char* word = std::getenv("PGPASSWORD");
     if (word != nullptr && *word != '\0') return false;
     const char* file = std::getenv("PGPASSFILE");
-    const std::string path =
-        file != nullptr ? file : (QDir::homePath() + QStringLiteral("/.pgpass")).toStdString();
-    return !QFileInfo::exists(QString::fromStdString(path));
+    return !password_file_has(
+        file != nullptr ? file : (QDir::homePath() + QStringLiteral("/.pgpass")).toStdString(),
+        url);
 }
 
 std::string with_password(const std::string& url, const std::string& password) {

@@ -29,7 +29,7 @@ struct StoreUrl {
 [[nodiscard]] StoreUrl parse_store_url(const std::string& url);
 
 /// True where whoever opens this has to be asked for a password first: a server, and neither the
-/// address nor $PGPASSWORD nor a password file ($PGPASSFILE, ~/.pgpass) has one.
+/// address nor $PGPASSWORD nor a password file ($PGPASSFILE, ~/.pgpass) has one for it.
 [[nodiscard]] bool needs_password(const StoreUrl& url);
 
 /// The same address with a password in it, for this process only.

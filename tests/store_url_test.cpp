@@ -3,10 +3,17 @@
 #include "db/store_url.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 #include "db/store.h"
 
 namespace THIS_TEST {
+
+namespace fs = std::filesystem;
 
 using namespace placode::db;
 using testing::HasSubstr;
@@ -61,6 +68,52 @@ TEST(StoreUrl, APasswordGivenLaterIsTheOneOfTheAddress) {
     EXPECT_FALSE(needs_password(parsed));
     EXPECT_FALSE(needs_password(parse_store_url("sqlite:x")));
     EXPECT_FALSE(needs_password(parse_store_url("postgresql:///n?host=/run/postgresql")));
+}
+
+/// A password file with this line.
+class PasswordFile {
+ public:
+    explicit PasswordFile(const std::string& line, fs::perms rights = fs::perms::owner_read) {
+        std::ofstream(path_) << "# a remark: db:5432:n:ann:x\n" << line << '\n';
+        fs::permissions(path_, rights);
+        ::unsetenv("PGPASSWORD");
+        ::setenv("PGPASSFILE", path_.c_str(), 1);
+    }
+    ~PasswordFile() {
+        ::unsetenv("PGPASSFILE");
+        fs::remove(path_);
+    }
+    PasswordFile(const PasswordFile&) = delete;
+    PasswordFile& operator=(const PasswordFile&) = delete;
+
+ private:
+    std::string path_ = testing::TempDir() + "placode-pgpass-" + std::to_string(::getpid());
+};
+
+TEST(StoreUrl, APasswordFileCountsForTheServersThatItNames) {
+    const auto asks = [](const std::string& line, const char* url) {
+        const PasswordFile file(line);
+        return needs_password(parse_store_url(url));
+    };
+    const char* url = "postgresql://ann@db:5432/n";
+    for (const char* line : {"db:5432:n:ann:secret", "*:*:*:*:secret", "db:*:n:ann:se:cr\\et",
+                             "other:5432:n:ann:x\ndb:5432:n:ann:secret"})
+        EXPECT_FALSE(asks(line, url)) << line;
+    for (const char* line :
+         {"db:5432:n:bob:secret", "other:5432:n:ann:secret", "db:5433:n:ann:secret",
+          "db:5432:m:ann:secret", "db:5432:n", "", "#db:5432:n:ann:secret", "d*:5432:n:ann:secret"})
+        EXPECT_TRUE(asks(line, url)) << line;
+    EXPECT_FALSE(asks("db:5432:a\\:b:ann:secret", "postgresql://ann@db:5432/a%3Ab"));
+}
+
+TEST(StoreUrl, APasswordFileThatOthersMayReadIsPassedBy) {
+    const StoreUrl url = parse_store_url("postgresql://ann@db:5432/n");
+    const PasswordFile open("db:5432:n:ann:x", fs::perms::owner_read | fs::perms::group_read);
+    EXPECT_TRUE(needs_password(url));
+    ::setenv("PGPASSFILE", "/nowhere/at/all", 1);
+    EXPECT_TRUE(needs_password(url));
+    ::setenv("PGPASSFILE", "/tmp", 1);
+    EXPECT_TRUE(needs_password(url));
 }
 
 TEST(StoreUrl, WhatCannotBeReadSaysWhatIsExpected) {
