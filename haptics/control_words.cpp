@@ -38,11 +38,6 @@ void add_exchanged(std::vector<Replacement>& out,
     }
 }
 
-/// Keys that are used with every device.
-constexpr bool is_beside(Key does) noexcept {
-    return does == Key::kTab || does == Key::kSpace || does == Key::kL || does == Key::kM;
-}
-
 /// Four keys that are said as one thing.
 void name_arrows(std::vector<Replacement>& out, const ControlLayout& layout,
                  std::string_view language) {
@@ -74,14 +69,17 @@ std::vector<Replacement> replacements(const ControlLayout& layout, HintDevice de
     if (device == HintDevice::kMouse && layout.buttons_exchanged) add_exchanged(out, kButtons);
     if (device == HintDevice::kGamepad && layout.sticks_exchanged) add_exchanged(out, kSticks);
     if (device == HintDevice::kKeyboard) name_arrows(out, layout, language);
-    // Elsewhere a letter may be a button of the device itself.
-    const bool all = device == HintDevice::kMouse || device == HintDevice::kKeyboard;
     for (const Control& control : layout_controls())
-        if (all || is_beside(control.does)) add(control.does);
+        if (is_key_with(device, control.does)) add(control.does);
     return out;
 }
 
 }  // namespace
+
+bool is_key_with(HintDevice device, Key does) noexcept {
+    if (device == HintDevice::kMouse || device == HintDevice::kKeyboard) return true;
+    return does == Key::kTab || does == Key::kSpace || does == Key::kL || does == Key::kM;
+}
 
 std::string key_name_in(Key key, std::string_view language) {
     if (key == Key::kSpace && language == "pl") return "Spacja";

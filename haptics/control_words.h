@@ -12,12 +12,16 @@
 
 namespace placode::haptics {
 
+/// Whether `does` is done by its key with this device, and not by something of the device itself
+/// (a letter may be a button there): Tab, Space, lens and sound with every one.
+[[nodiscard]] bool is_key_with(HintDevice device, sim::Key does) noexcept;
+
 /// Name of a key in a language: "Space" is "Spacja" in Polish.
 [[nodiscard]] std::string key_name_in(sim::Key key, std::string_view language);
 
-/// `text` with the keys, mouse buttons and sticks of `layout` in place of those as delivered. Of
-/// devices that are no keyboard only the keys are changed that they need beside them (Tab, Space,
-/// lens, sound). Without a change in the layout the text is the same.
+/// `text` with the keys, mouse buttons and sticks of `layout` in place of those as delivered.
+/// Of the keys those that are keys with this device. Without a change in the layout the text is
+/// the same.
 [[nodiscard]] std::string in_layout(std::string_view text, const ControlLayout& layout,
                                     HintDevice device, std::string_view language);
 

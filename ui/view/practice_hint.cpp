@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/practice_hint.h"
 
+#include "haptics/control_words.h"
+
 namespace placode::view {
 
 using namespace sim;
@@ -181,12 +183,12 @@ Symbols with_grip(PracticeKind kind, Thing grip, HintSymbol close) {
 void put_on_keys(Symbols& symbols, haptics::HintDevice device,
                  const haptics::ControlLayout& layout) {
     const bool mouse = device == haptics::HintDevice::kMouse;
-    const bool all = mouse || device == haptics::HintDevice::kKeyboard;
     for (HintSymbol& symbol : symbols) {
         const std::string_view name = symbol.name;
-        if (symbol.thing == Thing::kKey && (all || name == "Tab")) {
+        if (symbol.thing == Thing::kKey) {
             for (const haptics::Control& control : haptics::layout_controls())
-                if (name == haptics::key_name(control.does)) {
+                if (haptics::is_key_with(device, control.does) &&
+                    name == haptics::key_name(control.does)) {
                     // A name is a literal and ends with a zero.
                     symbol.name = haptics::key_name(layout.key_for(control.does)).data();
                     break;
