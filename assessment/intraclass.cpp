@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-double quantile(double p, double df1, double df2) {
+double f_quantile(double p, double df1, double df2) {
     return boost::math::quantile(boost::math::fisher_f(df1, df2), p);
 }
 
@@ -37,7 +37,7 @@ Interval two_way_interval(double icc, double ms_rows, double ms_columns, double 
     const double v =
         (k - 1) * (n - 1) * numerator /
         ((n - 1) * k * k * icc * icc * fj * fj + std::pow(n * (1 + (k - 1) * icc) - k * icc, 2));
-    const double upper = quantile(0.975, n - 1, v), lower = quantile(0.975, v, n - 1);
+    const double upper = f_quantile(0.975, n - 1, v), lower = f_quantile(0.975, v, n - 1);
     const double rest = k * ms_columns + (k * n - k - n) * ms_error;
     return {n * (ms_rows - upper * ms_error) / (upper * rest + n * ms_rows),
             n * (lower * ms_rows - ms_error) / (rest + n * lower * ms_rows)};
@@ -93,13 +93,13 @@ Icc intraclass_correlation(const Scores& ratings) {
     result.icc2k = form((msb - mse) / (msb + (msj - mse) / n), f3, df1, error);
     result.icc3k = form((msb - mse) / msb, f3, df1, error);
 
-    const double f1_low = f1 / quantile(0.975, df1, within),
-                 f1_high = f1 * quantile(0.975, within, df1);
+    const double f1_low = f1 / f_quantile(0.975, df1, within),
+                 f1_high = f1 * f_quantile(0.975, within, df1);
     const auto single = [&](double f) { return std::isinf(f) ? 1 : (f - 1) / (f + k - 1); };
     result.icc1.ci95 = {single(f1_low), single(f1_high)};
     result.icc1k.ci95 = {1 - 1 / f1_low, 1 - 1 / f1_high};
-    const double f3_low = f3 / quantile(0.975, df1, error),
-                 f3_high = f3 * quantile(0.975, error, df1);
+    const double f3_low = f3 / f_quantile(0.975, df1, error),
+                 f3_high = f3 * f_quantile(0.975, error, df1);
     result.icc3.ci95 = {single(f3_low), single(f3_high)};
     result.icc3k.ci95 = {1 - 1 / f3_low, 1 - 1 / f3_high};
     result.icc2.ci95 = two_way_interval(result.icc2.icc, msb, msj, mse, n, k);

@@ -30,7 +30,7 @@ std::string text_of(const Manifest& manifest, bool with_seal) {
     return text + "]}\n";
 }
 
-Manifest from_json(const Json& json) {
+Manifest manifest_from_json(const Json& json) {
     Manifest manifest;
     manifest.kind = json.at("kind").get<std::string>();
     manifest.build = json.at("build").get<std::string>();
@@ -117,7 +117,7 @@ Manifest read_manifest(const fs::path& folder) {
             throw BatchError(Kind::kBadInput, path.string() + ": format " + std::to_string(format) +
                                                   "; this program reads format " +
                                                   std::to_string(kManifestFormat));
-        manifest = from_json(json);
+        manifest = manifest_from_json(json);
     } catch (const Json::exception& error) {
         throw BatchError(Kind::kBadInput, path.string() + ": is damaged (" + error.what() +
                                               "); plan anew in another folder");

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
     throw BatchError(BatchError::Kind::kBadInput, path.string() + ": " + problem);
 }
 
-Protocol from_json(const Json& json) {
+Protocol protocol_from_json(const Json& json) {
     Protocol protocol;
     protocol.id = json.at("id").get<std::string>();
     protocol.version = json.at("version").get<int>();
@@ -56,7 +56,7 @@ Protocol read_protocol(const fs::path& path) {
     std::string text;
     try {
         const Json json = Json::parse(text = read_text(path));
-        protocol = from_json(json);
+        protocol = protocol_from_json(json);
         text = json.dump();
     } catch (const Json::exception& error) {
         refuse(path, std::string("is no protocol of a benchmark: ") + error.what());

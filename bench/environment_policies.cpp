@@ -12,8 +12,6 @@ namespace {
 
 using environment::Environment;
 
-constexpr int kFrames = 20;
-
 /// As environment/policy.h names them, and as people read it.
 constexpr std::pair<const char*, const char*> kPolicies[] = {
     {"nothing", "nothing"}, {"random", "chance"}, {"expert", "scripted expert"}};
@@ -25,8 +23,8 @@ void perform(Environment& environment, const std::string& name, uint64_t seed, P
     std::vector<double> action(environment.tools() * environment::kActionSize, 0.0);
     environment::StepOutcome outcome;
     while (!environment.ended()) {
-        const bool done = policy.act(environment, kFrames, action);
-        outcome = environment.step(action, kFrames, done);
+        const bool done = policy.act(environment, kFramesAStep, action);
+        outcome = environment.step(action, kFramesAStep, done);
         row.reward += outcome.reward;
     }
     ++row.attempts;

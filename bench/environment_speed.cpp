@@ -18,7 +18,6 @@ namespace {
 using environment::Environment;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kFrames = 20;  // a step
 constexpr double kBeginS = 4, kForS = 2;
 
 double since(Clock::time_point start) {
@@ -39,30 +38,30 @@ environment::EnvironmentOptions options_of(const EnvironmentCase& what) {
 }
 
 /// The expert at work from kBeginS on: the moment before, and what it did.
-struct Work {
+struct ExpertWork {
     environment::SavedMoment begin;
     std::vector<std::vector<double>> actions;
     std::vector<sim::Input> inputs;
 };
 
-Work let_work(Environment& environment) {
-    Work work;
+ExpertWork let_work(Environment& environment) {
+    ExpertWork work;
     environment::Expert expert(environment, "expert", 1);
     environment.reset(1);
     std::vector<double> action(environment.tools() * environment::kActionSize);
-    const auto steps_to = [](double s) { return static_cast<int>(s * 1000 / kFrames); };
+    const auto steps_to = [](double s) { return static_cast<int>(s * 1000 / kFramesAStep); };
     for (int i = 0; i < steps_to(kBeginS + kForS) && !environment.ended(); ++i) {
         if (i == steps_to(kBeginS)) environment.save(work.begin);
-        (void)expert.act(environment, kFrames, action);
-        (void)environment.step(action, kFrames);
+        (void)expert.act(environment, kFramesAStep, action);
+        (void)environment.step(action, kFramesAStep);
         if (i >= steps_to(kBeginS)) work.actions.push_back(action);
     }
     const std::vector<sim::Input>& inputs = environment.inputs();
-    work.inputs.assign(inputs.begin() + steps_to(kBeginS) * kFrames, inputs.end());
+    work.inputs.assign(inputs.begin() + steps_to(kBeginS) * kFramesAStep, inputs.end());
     return work;
 }
 
-double time_physics(Environment& environment, const Work& work) {
+double time_physics(Environment& environment, const ExpertWork& work) {
     const sim::Scene& scene = *environment.field().scene;
     sim::State state(scene, 1);
     sim::load_state(scene, state, work.begin.state);
@@ -74,12 +73,12 @@ double time_physics(Environment& environment, const Work& work) {
     return since(start);
 }
 
-double time_environment(Environment& environment, const Work& work) {
+double time_environment(Environment& environment, const ExpertWork& work) {
     std::vector<double> seen(environment.observation_names().size());
     environment.restore(work.begin);
     const auto start = Clock::now();
     for (const std::vector<double>& action : work.actions) {
-        (void)environment.step(action, kFrames);
+        (void)environment.step(action, kFramesAStep);
         environment.observe(seen);
     }
     return since(start);
@@ -107,7 +106,7 @@ EnvironmentRow measure_environment(const EnvironmentCase& what, int runs) {
     }
     row.tets = environment.field().scene->body.tet_count();
     row.substeps = environment.state().substeps;
-    const Work work = let_work(environment);
+    const ExpertWork work = let_work(environment);
     std::vector<double> physics, whole, reset, save;
     environment::SavedMoment moment;
     environment.restore(work.begin);

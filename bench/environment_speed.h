@@ -11,6 +11,8 @@
 
 namespace placode::bench {
 
+inline constexpr int kFramesAStep = 20;  ///< Of an environment: 20 ms.
+
 struct EnvironmentCase {
     std::string name, task;
     std::string scene_changes_json;  ///< Empty = the task's own scene.

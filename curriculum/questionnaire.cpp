@@ -14,7 +14,7 @@ namespace placode::curriculum {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, ItemKind>, 7> kKinds{
+constexpr std::array<std::pair<const char*, ItemKind>, 7> kItemKinds{
     {{"likert", ItemKind::kLikert},
      {"number", ItemKind::kNumber},
      {"choice", ItemKind::kChoice},
@@ -24,7 +24,7 @@ constexpr std::array<std::pair<const char*, ItemKind>, 7> kKinds{
      {"visual_analogue", ItemKind::kVisualAnalogue}}};
 
 ItemKind kind_of(const std::string& name) {
-    for (const auto& [known, kind] : kKinds)
+    for (const auto& [known, kind] : kItemKinds)
         if (name == known) return kind;
     return ItemKind::kLikert;  // The schema has refused everything else.
 }

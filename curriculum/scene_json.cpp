@@ -31,10 +31,10 @@ struct EnumName {
 constexpr EnumName<Method> kMethods[]{
     {Method::kXpbd, "xpbd"}, {Method::kXpbdPair, "xpbd_pair"}, {Method::kVbd, "vbd"}};
 constexpr EnumName<ToolKind> named(ToolKind kind) { return {kind, sim::tool_kind_name(kind)}; }
-constexpr EnumName<ToolKind> kKinds[]{named(ToolKind::kScope),       named(ToolKind::kNeedle),
-                                      named(ToolKind::kHook),        named(ToolKind::kGrasper),
-                                      named(ToolKind::kScissors),    named(ToolKind::kProbe),
-                                      named(ToolKind::kNeedleDriver)};
+constexpr EnumName<ToolKind> kToolKinds[]{named(ToolKind::kScope),       named(ToolKind::kNeedle),
+                                          named(ToolKind::kHook),        named(ToolKind::kGrasper),
+                                          named(ToolKind::kScissors),    named(ToolKind::kProbe),
+                                          named(ToolKind::kNeedleDriver)};
 constexpr EnumName<Hand> kHands[]{
     {Hand::kRight, "right"}, {Hand::kLeft, "left"}, {Hand::kCamera, "camera"}};
 
@@ -198,7 +198,7 @@ void visit_heat(const V& v, H& h) {
 
 template <class V, class T>
 void visit_tool(const V& v, T& t) {
-    v.choice("kind", t.kind, kKinds);
+    v.choice("kind", t.kind, kToolKinds);
     v.choice("hand", t.hand, kHands);
     v("pivot_m", t.pivot_m);
     v("shaft_radius_m", t.shaft_radius_m);

@@ -71,7 +71,7 @@ Aids read_aids(const Json& json, const std::string& origin, const std::string& p
     return *aids;
 }
 
-StudyStep read_step(const Json& json, const std::string& origin, const std::string& pointer) {
+StudyStep read_study_step(const Json& json, const std::string& origin, const std::string& pointer) {
     StudyStep step;
     step.id = json["id"];
     step.kind = kind_of(json["kind"]);
@@ -183,7 +183,7 @@ StudyProtocol load_study_text(const std::string& text, const std::string& origin
     std::set<std::string> seen;
     for (size_t i = 0; i < json["steps"].size(); ++i) {
         const std::string pointer = "/steps/" + std::to_string(i);
-        study.steps.push_back(read_step(json["steps"][i], origin, pointer));
+        study.steps.push_back(read_study_step(json["steps"][i], origin, pointer));
         if (!seen.insert(study.steps.back().id).second)
             throw DefinitionError(origin, pointer + "/id",
                                   "\"" + study.steps.back().id +

@@ -101,7 +101,7 @@ void read_places(const Json& json, const std::string& origin, const std::string&
         goal.place_m[i] = sim::Vec2(places[i][0].get<double>(), places[i][1].get<double>());
 }
 
-TaskStep read_step(const Json& json, const std::string& origin, const std::string& pointer) {
+TaskStep read_task_step(const Json& json, const std::string& origin, const std::string& pointer) {
     TaskStep step;
     sim::PracticeStep& goal = step.goal;
     const std::string kind = json["kind"], hand = json.value("hand", "right");
@@ -168,7 +168,7 @@ Task read_task(const Json& json, const std::string& origin) {
     if (json.contains("steps")) {
         for (const Json& step : json["steps"])
             task.steps.push_back(
-                read_step(step, origin, "/steps/" + std::to_string(task.steps.size())));
+                read_task_step(step, origin, "/steps/" + std::to_string(task.steps.size())));
     }
     task.rubric = read_rubric(json["rubric"], origin);
 

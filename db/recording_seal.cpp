@@ -15,7 +15,7 @@ namespace placode::db {
 namespace {
 
 constexpr const char* kKey = "station";
-const std::string kRead = "read the signature of the recording";
+const std::string kReadSignature = "read the signature of the recording";
 
 /// What is signed. The chunks' bytes are in it by their checksums, which every reader compares.
 /// Empty when the file cannot be read.
@@ -68,7 +68,7 @@ RecordingSeal recording_seal(sqlite3* database) {
 }
 
 RecordingSeal recording_seal(const std::string& path) {
-    const ForeignDatabase database = open_recording(path, kRead);
+    const ForeignDatabase database = open_recording(path, kReadSignature);
     return recording_seal(database.get());
 }
 

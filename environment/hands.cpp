@@ -15,7 +15,8 @@ namespace {
 using haptics::Vec3;
 
 // Places of the eight numbers.
-enum : size_t { kX, kY, kZ, kRoll, kJaw, kCut, kCoag, kEngaged };
+enum : size_t { kX, kY, kZ, kRoll, kJaw, kCut, kCoag };
+static_assert(kCoag + 1 == kActionEngaged);
 
 Vec3 within_reach(Vec3 tip) {
     for (int k = 0; k < 3; ++k) tip[k] = std::clamp(tip[k], kReachLowM[k], kReachHighM[k]);
@@ -61,7 +62,7 @@ void Hands::reset(uint64_t seed, double spread_m) {
 
 /// Of instruments that share a port the one that is wanted most is in.
 void Hands::choose_engaged(std::span<const double> actions, double above) {
-    const auto wish = [&](size_t i) { return actions[i * kActionSize + kEngaged]; };
+    const auto wish = [&](size_t i) { return actions[i * kActionSize + kActionEngaged]; };
     for (size_t i = 0; i < hands_.size(); ++i) {
         const uint32_t others = haptics::others_in_port(tools_, i);
         bool in = others == 0 || wish(i) > above;

@@ -16,6 +16,7 @@ namespace placode::environment {
 /// What the eight numbers of a tool mean; interface/placode.h says it for users.
 enum class ActionUnits : uint8_t { kNormalised, kAbsolute };
 inline constexpr int kActionSize = 8;
+inline constexpr size_t kActionEngaged = 7;  ///< Place among the eight: is the hand there?
 
 inline constexpr double kFastestM_S = 0.3;       ///< No tip moves faster.
 inline constexpr double kFastestRollRad_S = 10;  ///< No handle turns faster.

@@ -10,7 +10,6 @@ namespace {
 
 /// Random holds a wish for a fifth of a second, or it would only tremble.
 constexpr double kHoldS = 0.2;
-constexpr size_t kEngaged = 7;  // Place in the eight numbers of a tool (hands.h).
 
 bool scripted(std::string_view name) { return name != "nothing" && name != "random"; }
 
@@ -34,7 +33,7 @@ bool Policy::act(Environment& environment, int frames, std::span<double> actions
     if (operator_) return operator_->act(environment, frames, actions);
     if (!random_) {
         std::fill(actions.begin(), actions.end(), 0.0);
-        for (size_t i = kEngaged; i < actions.size(); i += kActionSize) actions[i] = 1;
+        for (size_t i = kActionEngaged; i < actions.size(); i += kActionSize) actions[i] = 1;
         return false;
     }
     const double step_s = frames * environment.task().scene.solver.frame_s;

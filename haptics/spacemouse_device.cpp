@@ -23,7 +23,7 @@ constexpr double kDeadZone = 15, kFull = 350;
 constexpr double kRollRadS = 1.5;
 // spacenavd repeats the last motion and may never send the zero: without an event the cap is
 // taken to be at rest.
-constexpr int64_t kSilenceNs = 100'000'000, kRetryNs = 1'000'000'000;
+constexpr int64_t kSilenceNs = 100'000'000, kAskAgainNs = 1'000'000'000;
 constexpr int32_t kMotion = 0, kPress = 1, kRelease = 2;
 
 double deflection(int32_t axis) noexcept {
@@ -83,7 +83,7 @@ class SpaceMouseDevice final : public WindowHands {
     void before_read(int64_t t_ns) noexcept override {
         if (file_ < 0 && t_ns >= retry_ns_) {
             file_ = connect_to(path_);
-            retry_ns_ = t_ns + kRetryNs;
+            retry_ns_ = t_ns + kAskAgainNs;
         }
         drain(t_ns);
         if (t_ns - moved_ns_ > kSilenceNs) axes_.fill(0);
@@ -116,7 +116,7 @@ class SpaceMouseDevice final : public WindowHands {
                 axes_.fill(0);
                 held_ = 0;
                 size_ = 0;
-                retry_ns_ = t_ns + kRetryNs;
+                retry_ns_ = t_ns + kAskAgainNs;
                 return;
             }
             size_ += static_cast<size_t>(got);

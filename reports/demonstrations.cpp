@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<const char*, 8> kActions{"x",   "y",   "z",    "roll",
                                               "jaw", "cut", "coag", "engaged"};
 constexpr double kMm = 1000;
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kFullTurn = 2 * std::numbers::pi;
 
 /// Where a tool would be with no roll, and so which roll it has. A pose does not tell whole turns:
 /// a roll goes on from the one before, as the hand's did.
@@ -36,7 +36,7 @@ class Rolls {
         state.position_m = pose.p - trocars_[tool].settings().home_tip_m;
         const auto turn = trocars_[tool].tip_pose(state).q.conjugate() * pose.q;
         const double roll = 2 * std::atan2(turn.z(), turn.w());
-        last_[tool] = roll + kTurn * std::round((last_[tool] - roll) / kTurn);
+        last_[tool] = roll + kFullTurn * std::round((last_[tool] - roll) / kFullTurn);
         return last_[tool];
     }
 

@@ -20,7 +20,7 @@ namespace {
 using sim::Vec3;
 
 /// World [m] to picture.
-struct Map {
+struct SheetMap {
     double scale = 1;
     QPointF centre;
     [[nodiscard]] QPointF operator()(double x_m, double y_m) const {
@@ -29,24 +29,24 @@ struct Map {
     [[nodiscard]] QPointF operator()(const Vec3& p) const { return (*this)(p.x(), p.y()); }
 };
 
-QPolygonF polygon(const std::vector<Vec3>& line, const Map& map) {
+QPolygonF polygon(const std::vector<Vec3>& line, const SheetMap& map) {
     QPolygonF points;
     for (const Vec3& p : line) points << map(p);
     if (!points.isEmpty()) points << points.front();
     return points;
 }
 
-Map fitted(const sim::FieldGeometry& geometry, const QRectF& where) {
+SheetMap fitted(const sim::FieldGeometry& geometry, const QRectF& where) {
     double reach = 0.010;
     for (const Vec3& p : geometry.skin_edge)
         reach = std::max({reach, std::abs(p.x()), std::abs(p.y())});
-    Map map;
+    SheetMap map;
     map.centre = where.center();
     map.scale = 0.5 * std::min(where.width(), where.height()) / (1.15 * reach);
     return map;
 }
 
-void draw_anatomy(QPainter& painter, const sim::FieldGeometry& geometry, const Map& map,
+void draw_anatomy(QPainter& painter, const sim::FieldGeometry& geometry, const SheetMap& map,
                   const ChartStyle& style) {
     QColor skin = colour(style.muted), placode = colour(style.critical);
     skin.setAlphaF(0.12F);
@@ -63,7 +63,7 @@ void draw_anatomy(QPainter& painter, const sim::FieldGeometry& geometry, const M
     painter.drawPolyline(polygon(geometry.planned_contour, map));
 }
 
-void draw_cut(QPainter& painter, const sim::Recording& recording, const Map& map,
+void draw_cut(QPainter& painter, const sim::Recording& recording, const SheetMap& map,
               const ChartStyle& style) {
     QColor ink = colour(style.accent);
     ink.setAlphaF(0.55F);
@@ -77,7 +77,7 @@ void draw_cut(QPainter& painter, const sim::Recording& recording, const Map& map
     }
 }
 
-void draw_path(QPainter& painter, const sim::Recording& recording, const Map& map,
+void draw_path(QPainter& painter, const sim::Recording& recording, const SheetMap& map,
                const ChartStyle& style) {
     int needle = -1;
     for (size_t i = 0; i < recording.header.tools.size(); ++i) {
@@ -99,7 +99,7 @@ void draw_path(QPainter& painter, const sim::Recording& recording, const Map& ma
 }
 
 /// Harm to the placode and torn tissue: a cross each, never by colour alone.
-void draw_harm(QPainter& painter, const sim::Recording& recording, const Map& map,
+void draw_harm(QPainter& painter, const sim::Recording& recording, const SheetMap& map,
                const ChartStyle& style) {
     painter.setPen(QPen(colour(style.critical), 2));
     for (const sim::Event& event : recording.events) {
@@ -124,7 +124,7 @@ struct LegendRow {
     unsigned ink;
 };
 
-void draw_legend(QPainter& painter, const QRectF& where, const Map& map,
+void draw_legend(QPainter& painter, const QRectF& where, const SheetMap& map,
                  const std::vector<LegendRow>& rows, const ChartStyle& style) {
     QFont font = painter.font();
     font.setPixelSize(static_cast<int>(style.font_px));
@@ -154,7 +154,7 @@ QString signed_word(QChar sign, const char* word) {
 constexpr QChar kDisc(0x25cf), kRing(0x25cb), kCross(0x2715);
 
 void draw_followed(QPainter& painter, const sim::FieldGeometry& geometry, const AskedPlaces& asked,
-                   const Map& map, const ChartStyle& style) {
+                   const SheetMap& map, const ChartStyle& style) {
     if (geometry.planned_contour.size() < 3) return;
     const assessment::ClosedContour line(geometry.planned_contour);
     painter.setPen(QPen(colour(style.good), 4, Qt::SolidLine, Qt::FlatCap));
@@ -169,7 +169,7 @@ void draw_followed(QPainter& painter, const sim::FieldGeometry& geometry, const 
 }
 
 /// A disc where it was done, an empty ring where not, the number of the step inside.
-void draw_places(QPainter& painter, const AskedPlaces& asked, const Map& map,
+void draw_places(QPainter& painter, const AskedPlaces& asked, const SheetMap& map,
                  const ChartStyle& style) {
     const double half = 0.75 * style.font_px;
     QFont font = painter.font();
@@ -197,7 +197,7 @@ void draw_places(QPainter& painter, const AskedPlaces& asked, const Map& map,
 
 void draw_incision(QPainter& painter, const QRectF& where, const sim::Recording& recording,
                    const ChartStyle& style) {
-    const Map map = fitted(recording.header.geometry, where);
+    const SheetMap map = fitted(recording.header.geometry, where);
     painter.save();
     painter.setClipRect(where);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -255,7 +255,7 @@ AskedPlaces asked_places(const sim::Recording& recording) {
 
 void draw_asked(QPainter& painter, const QRectF& where, const sim::FieldGeometry& geometry,
                 const AskedPlaces& asked, const ChartStyle& style) {
-    Map map = fitted(geometry, where);
+    SheetMap map = fitted(geometry, where);
     // A place beside the skin's edge is shown whole, sign and all, below the words at the top.
     const double room = 0.5 * std::min(where.width(), where.height()) - 2.6 * style.font_px;
     for (const AskedPlaces::Place& place : asked.places)

@@ -23,7 +23,7 @@ namespace placode::reports {
 namespace {
 
 constexpr double kFullScore = 100;  ///< Points.
-constexpr double kMargin = Sheets::kMargin, kInner = Sheets::kInner;
+constexpr double kSheetMargin = Sheets::kMargin, kSheetInner = Sheets::kInner;
 
 QString escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
@@ -258,24 +258,25 @@ void add_pictures(Sheets& sheets, const Subject& subject, const ChartStyle& styl
     };
     heading("Damage over time", ledger_height(style));
     sheets.picture(ledger_height(style) + 6, [&](QPainter& painter, double y) {
-        draw_ledger(painter, QRectF(kMargin, y, kInner, ledger_height(style)), picture, style);
+        draw_ledger(painter, QRectF(kSheetMargin, y, kSheetInner, ledger_height(style)), picture,
+                    style);
     });
-    const double half = (kInner - 16) / 2, map = 330;
+    const double half = (kSheetInner - 16) / 2, map = 330;
     const bool energy = subject.scope.energy;
     heading(energy ? "Damage and energy on the anatomy" : "Damage on the anatomy", map);
     sheets.picture(map + 6, [&](QPainter& painter, double y) {
-        draw_field_map(painter, QRectF(kMargin, y, half, map), recording, picture.entries,
+        draw_field_map(painter, QRectF(kSheetMargin, y, half, map), recording, picture.entries,
                        FieldLayer::kDamage, style);
         if (energy)
-            draw_field_map(painter, QRectF(kMargin + half + 16, y, half, map), recording,
+            draw_field_map(painter, QRectF(kSheetMargin + half + 16, y, half, map), recording,
                            picture.entries, FieldLayer::kEnergy, style);
     });
-    const double third = (kInner - 24) / 3;
+    const double third = (kSheetInner - 24) / 3;
     heading("Paths of the instruments", 250);
     sheets.picture(256, [&](QPainter& painter, double y) {
         for (int i = 0; i < 3; ++i)
-            draw_trajectory(painter, QRectF(kMargin + i * (third + 12), y, third, 250), recording,
-                            static_cast<Side>(i), style);
+            draw_trajectory(painter, QRectF(kSheetMargin + i * (third + 12), y, third, 250),
+                            recording, static_cast<Side>(i), style);
     });
 }
 
@@ -295,13 +296,14 @@ void add_first_page(Sheets& sheets, const Subject& subject, const ChartStyle& st
     sheets.html(head_html(subject, style));
     sheets.space(10);
     sheets.picture(340, [&](QPainter& painter, double y) {
-        draw_main_picture(painter, QRectF(kMargin, y, kInner * 0.52, 330), subject, style);
-        sheets.draw(QStringLiteral("<b>Own history of this task</b>"), {kMargin + kInner * 0.56, y},
-                    kInner * 0.44, true);
+        draw_main_picture(painter, QRectF(kSheetMargin, y, kSheetInner * 0.52, 330), subject,
+                          style);
+        sheets.draw(QStringLiteral("<b>Own history of this task</b>"),
+                    {kSheetMargin + kSheetInner * 0.56, y}, kSheetInner * 0.44, true);
         std::vector<db::AttemptRecord> counted;
         for (const db::AttemptRecord& each : subject.history)
             if (db::counts(each)) counted.push_back(each);
-        const QRectF place(kMargin + kInner * 0.56, y + 22, kInner * 0.44, 240);
+        const QRectF place(kSheetMargin + kSheetInner * 0.56, y + 22, kSheetInner * 0.44, 240);
         if (counted.empty())
             sheets.draw(QStringLiteral("No attempt at this task counts yet."), place.topLeft(),
                         place.width(), true);

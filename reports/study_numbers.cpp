@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/analysis_parts.h"
+
 namespace placode::reports {
 namespace {
 
@@ -16,11 +18,6 @@ std::vector<const Row*> first_rows(const Form& form) {
     for (const Row& row : form.rows)
         if (row.instance == 1) rows.push_back(&row);
     return rows;
-}
-
-std::optional<double> value_of(const Row& row, const std::string& id) {
-    const auto found = row.values.find(id);
-    return found == row.values.end() ? std::nullopt : curriculum::answer_number(found->second);
 }
 
 ItemNumbers item_numbers(const Form& form, const Field& field) {

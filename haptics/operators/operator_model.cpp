@@ -12,7 +12,7 @@ namespace placode::haptics {
 
 namespace {
 
-constexpr double kHoverM = 0.004;       // Height of free motion over the contour.
+constexpr double kTraceHoverM = 0.004;  // Height of free motion over the contour.
 constexpr double kWatchBehindM = 8e-4;  // Where the eye checks the cut: behind the needle's width.
 constexpr double kOverrunM = 5e-4;      // A piece is cut past both of its ends.
 constexpr double kNearM = 2.5e-3;       // The next piece is this close: go on without lifting.
@@ -68,20 +68,20 @@ void OperatorModel::begin_move(const Vec3& from_m) noexcept {
     move_from_ = from_m;
     s_m_ = run_.begin_m - (passes_ > 0 ? kOverrunM : 0);
     const IncisionLine::Place f = line_.place(s_m_);
-    const double distance = (f.point + kHoverM * f.normal - from_m).norm();
+    const double distance = (f.point + kTraceHoverM * f.normal - from_m).norm();
     if (stage_ != Stage::kMove) pieces_left_ = profile_.submovements;
     --pieces_left_;
     move_s_ = std::max(0.35, distance / profile_.free_speed_m_s);
     move_error_.setZero();
     if (pieces_left_ > 0)
         for (int i = 0; i < 3; ++i) move_error_[i] = profile_.aim_error_m * random_.normal() / 1.7;
-    lift_m_ = kHoverM;
+    lift_m_ = kTraceHoverM;
     stage(Stage::kMove);
 }
 
 void OperatorModel::do_move(double) noexcept {
     const IncisionLine::Place f = line_.place(s_m_);
-    const Vec3 goal = f.point + kHoverM * f.normal + move_error_;
+    const Vec3 goal = f.point + kTraceHoverM * f.normal + move_error_;
     const double x = minimum_jerk(stage_s_ / move_s_);
     // A small arc: the tip is carried over the tissue, not through it.
     const double arc = 0.15 * (goal - move_from_).norm() * 4 * x * (1 - x);
@@ -255,7 +255,7 @@ void OperatorModel::do_lift(double dt_s) noexcept {
     const double rise = std::min(0.03, 0.1 * stage_s_) * dt_s;
     lift_m_ += rise;
     tip_m_ += rise * line_.place(s_m_).normal;
-    if (lift_m_ < kHoverM) return;
+    if (lift_m_ < kTraceHoverM) return;
     if (line_.sinks() && !line_.freed()) {
         stage(Stage::kWatch);
         return;

@@ -11,11 +11,11 @@ namespace placode::haptics {
 
 namespace {
 
-constexpr double kHoverM = 0.005;     // of free motion over the tissue
-constexpr double kRiseMS = 0.012;     // out of the tissue
-constexpr double kEnterMS = 0.008;    // into it
-constexpr double kAdvanceMS = 0.010;  // between snips
-constexpr double kPressM = 0.0002, kDeepestM = 0.0014;
+constexpr double kResectionHoverM = 0.005;  // of free motion over the tissue
+constexpr double kRiseMS = 0.012;           // out of the tissue
+constexpr double kEnterMS = 0.008;          // into it
+constexpr double kAdvanceMS = 0.010;        // between snips
+constexpr double kPressM = 0.0002, kResectionDeepestM = 0.0014;
 constexpr double kChangeS = 2.0;  // another instrument through the port
 constexpr double kPullM = 0.007;  // how far a piece is lifted before it must be free
 constexpr double kPullMS = 0.004;
@@ -108,7 +108,7 @@ void ResectionOperator::grasp_again() noexcept {
     cutting_done_ = false;
     passes_ = 0;
     ++grasps_;
-    grasper_.reach(hold_place(kHoverM), Vec3::UnitZ());
+    grasper_.reach(hold_place(kResectionHoverM), Vec3::UnitZ());
     go(Left::kReach);
 }
 
@@ -188,12 +188,12 @@ void ResectionOperator::right(double dt_s, std::span<HandAction> hands) noexcept
                 break;
             }
             aim();
-            scissors_.reach(tip_goal(kHoverM), up_);
+            scissors_.reach(tip_goal(kResectionHoverM), up_);
             go(Right::kReach);
             break;
         case Right::kReach:
             static_cast<void>(scissors_.jaw(habit.blade_rad, 2.0, dt_s));
-            if (!scissors_.reached(tip_goal(kHoverM), dt_s)) break;
+            if (!scissors_.reached(tip_goal(kResectionHoverM), dt_s)) break;
             out_m_ = habit.outward_m + habit.wander_m * scissors_.random().normal();
             go(Right::kEnter);
             break;
@@ -240,7 +240,7 @@ void ResectionOperator::right(double dt_s, std::span<HandAction> hands) noexcept
             break;
         }
         case Right::kRise:
-            if (scissors_.glide(tip_goal(kHoverM), kRiseMS, dt_s)) {
+            if (scissors_.glide(tip_goal(kResectionHoverM), kRiseMS, dt_s)) {
                 if (piece_free_) cutting_done_ = true;
                 go(Right::kWait);
                 if (!next_run()) cutting_done_ = true;
@@ -279,20 +279,20 @@ void ResectionOperator::left(double dt_s, std::span<HandAction> hands) noexcept 
             for (int k = 0; k < 2; ++k) {
                 place_error_[k] = habit.aim_error_m * grasper_.random().normal();
             }
-            grasper_.reach(hold_place(kHoverM), Vec3::UnitZ());
+            grasper_.reach(hold_place(kResectionHoverM), Vec3::UnitZ());
             ++grasps_;
             go(Left::kReach);
             break;
         case Left::kReach:
             static_cast<void>(grasper_.jaw(habit.open_rad, 1.5, dt_s));
-            height_m_ = kHoverM;
-            if (grasper_.reached(hold_place(kHoverM), dt_s)) go(Left::kLower);
+            height_m_ = kResectionHoverM;
+            if (grasper_.reached(hold_place(kResectionHoverM), dt_s)) go(Left::kLower);
             break;
         case Left::kLower:
             height_m_ -= profile_.descend_m_s * dt_s;
             static_cast<void>(grasper_.glide(hold_place(height_m_), 0.02, dt_s));
-            if (touches_ || height_m_ < -kDeepestM) {
-                low_m_ = std::max(height_m_ - kPressM, -kDeepestM);
+            if (touches_ || height_m_ < -kResectionDeepestM) {
+                low_m_ = std::max(height_m_ - kPressM, -kResectionDeepestM);
                 go(Left::kClose);
             }
             break;

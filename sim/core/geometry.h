@@ -18,6 +18,13 @@ using Vec3f = Eigen::Vector3f;
 using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaterniond;
 
+/// [a]x: `cross_matrix(a) * b = a.cross(b)`.
+[[nodiscard]] inline Mat3 cross_matrix(const Vec3& a) {
+    Mat3 m;
+    m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+    return m;
+}
+
 /// Rigid pose X_AB: takes coordinates in B to coordinates in A, `p_A = q * p_B + p`.
 struct Pose {
     Vec3 p = Vec3::Zero();      ///< Origin of B in A [m].

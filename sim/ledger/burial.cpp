@@ -16,7 +16,7 @@ constexpr double kLookBackM = 0.040;  // of the shaft behind the tip: no hand re
 constexpr double kBoxSlackM = 1e-3;   // boxes are those of a frame ago
 
 /// The shaft from a point at the tip towards the hand.
-struct Ray {
+struct ShaftRay {
     Vec3 from, way;
 
     [[nodiscard]] bool misses(const SurfaceTree::Box& box) const noexcept {
@@ -43,7 +43,8 @@ struct Crossing {
 };
 
 /// Where the ray comes out of tissue through this triangle. Source: Moeller and Trumbore 1997.
-bool leaves(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c, Crossing& out) noexcept {
+bool leaves(const ShaftRay& ray, const Vec3& a, const Vec3& b, const Vec3& c,
+            Crossing& out) noexcept {
     const Vec3 ab = b - a, ac = c - a, area = ab.cross(ac);
     const double facing = area.dot(ray.way);
     if (!(facing > 0)) return false;
@@ -75,7 +76,7 @@ Burial burial_of(const Scene& scene, const State& state, int t) noexcept {
     const double radius = state.scratch->contacts.shapes[t].parts[0].near_radius_m;
     const bool blades = spec.kind == ToolKind::kScissors;
     const double start = blades ? spec.tip_length_m : radius;
-    const Ray ray{tool.proxy * Vec3(0, 0, -start), tool.proxy.q * Vec3(0, 0, -1)};
+    const ShaftRay ray{tool.proxy * Vec3(0, 0, -start), tool.proxy.q * Vec3(0, 0, -1)};
     const auto triangles = state.surface.triangles();
     state.surface.tree().walk(
         [&](const SurfaceTree::Box& box) noexcept { return ray.misses(box); },

@@ -12,24 +12,24 @@ namespace placode::sim {
 namespace {
 
 // x E x edge: overlap of some 1e-5 of the indentation.
-constexpr double kContactStiffness = 1000;
+constexpr double kNewtonContactStiffness = 1000;
 constexpr double kUnbalanced = 1e-9;  // of all forces: what is left of sums that cancel
 constexpr Eigen::Index kMostUnknowns = 60000;
 
 /// What acts on one piece, and which axes hold it.
-struct Piece {
+struct WeighedPiece {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero(), place = Vec3::Zero();
     double force_size = 0, moment_size = 0;
     int vertices = 0;
     uint8_t held = 0;
 };
 
-std::vector<Piece> weigh(const SolveSetup& setup, const Coordinates& force_n) {
+std::vector<WeighedPiece> weigh(const SolveSetup& setup, const Coordinates& force_n) {
     const std::vector<int32_t>& number = setup.pieces.of_vertex;
-    std::vector<Piece> pieces(setup.pieces.held.size());
+    std::vector<WeighedPiece> pieces(setup.pieces.held.size());
     const Coordinates& x = setup.body->rest();  // a random start turns what is in balance
     for (size_t v = 0; v < number.size(); ++v) {
-        Piece& piece = pieces[as_index(number[v])];
+        WeighedPiece& piece = pieces[as_index(number[v])];
         piece.place += x.segment<3>(static_cast<Eigen::Index>(3 * v));
         ++piece.vertices;
     }
@@ -38,7 +38,7 @@ std::vector<Piece> weigh(const SolveSetup& setup, const Coordinates& force_n) {
         pieces[i].held = setup.pieces.held[i];
     }
     for (size_t v = 0; v < number.size(); ++v) {
-        Piece& piece = pieces[as_index(number[v])];
+        WeighedPiece& piece = pieces[as_index(number[v])];
         const Vec3 f = force_n.segment<3>(static_cast<Eigen::Index>(3 * v));
         const Vec3 arm = Vec3(x.segment<3>(static_cast<Eigen::Index>(3 * v))) - piece.place;
         piece.force += f;
@@ -49,7 +49,7 @@ std::vector<Piece> weigh(const SolveSetup& setup, const Coordinates& force_n) {
     return pieces;
 }
 
-std::string name_of(const Piece& piece, size_t count) {
+std::string name_of(const WeighedPiece& piece, size_t count) {
     if (count == 1) return "the body";
     std::string place;
     for (int a = 0; a < 3; ++a) place += (a == 0 ? "" : ", ") + rounded_text(piece.place[a], 4);
@@ -79,8 +79,8 @@ StaticProblem static_problem(const SolveSetup& setup, double time_s) {
     }
     if (setup.contacts) {
         problem.contacts = setup.contacts.get();
-        problem.contact_n_m =
-            kContactStiffness * scene.material.youngs_modulus_pa * setup.contacts->mean_edge_m();
+        problem.contact_n_m = kNewtonContactStiffness * scene.material.youngs_modulus_pa *
+                              setup.contacts->mean_edge_m();
         problem.contact_time_s = time_s;
     }
     return problem;
@@ -88,8 +88,8 @@ StaticProblem static_problem(const SolveSetup& setup, double time_s) {
 
 void check_support(const SolveSetup& setup, const Coordinates& force_n) {
     if (setup.contacts) return;
-    const std::vector<Piece> pieces = weigh(setup, force_n);
-    for (const Piece& piece : pieces) {
+    const std::vector<WeighedPiece> pieces = weigh(setup, force_n);
+    for (const WeighedPiece& piece : pieces) {
         const std::string name = name_of(piece, pieces.size());
         for (int a = 0; a < 3; ++a) {
             if ((piece.held >> a & 1) != 0 ||

@@ -13,7 +13,7 @@
 namespace placode::sim {
 namespace {
 
-constexpr double kE = 60e3, kNu = 0.45;
+constexpr double kFeltE = 60e3, kFeltNu = 0.45;
 
 /// A block of one tissue, its top at z = 0 about the z axis, held at its bottom.
 struct Block {
@@ -39,8 +39,8 @@ Scene scene_of(const Block& block, int substeps) {
     }
     spec.mesh = renumbered(spec.mesh, rcm_order(spec.mesh));
     Material material;
-    material.youngs_modulus_pa = kE;
-    material.poissons_ratio = kNu;
+    material.youngs_modulus_pa = kFeltE;
+    material.poissons_ratio = kFeltNu;
     material.density_kg_m3 = 1050;
     material.damping_per_s = 30;
     material.friction = block.friction;
@@ -144,7 +144,8 @@ void hertz(AccuracyTable& table) {
         set_text(row.unit, "N");
         row.edge_m = 1e-4;
         row.value = force.z();
-        row.expected = 4.0 / 3 * kE / (1 - kNu * kNu) * std::sqrt(kRadius) * std::pow(kDepth, 1.5);
+        row.expected =
+            4.0 / 3 * kFeltE / (1 - kFeltNu * kFeltNu) * std::sqrt(kRadius) * std::pow(kDepth, 1.5);
         row.error = std::abs(row.value / row.expected - 1);
         row.target = 0.1;
         table.add(row);

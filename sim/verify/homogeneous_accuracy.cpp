@@ -9,7 +9,7 @@
 namespace placode::sim {
 namespace {
 
-constexpr double kSide = 3e-3, kE = 5e3, kNu = 0.45;
+constexpr double kSide = 3e-3, kCubeE = 5e3, kCubeNu = 0.45;
 constexpr int kCells = 3;
 
 struct State {
@@ -18,7 +18,7 @@ struct State {
 };
 
 std::vector<State> states() {
-    const NeoHookean c = neo_hookean(kE, kNu);
+    const NeoHookean c = neo_hookean(kCubeE, kCubeNu);
     std::vector<State> out;
     const double k = 0.5;
     Mat3 shear = Mat3::Identity(), p = Mat3::Zero();
@@ -49,7 +49,7 @@ constexpr MethodChoice kChoices[]{{SolveMethod::kNewton, 1},    {SolveMethod::kV
 void held_boundary(AccuracyTable& table, const State& state) {
     for (const MethodChoice& choice : kChoices) {
         VerificationScene scene =
-            accuracy_scene(Vec3::Constant(kSide), {kCells, kCells, kCells}, kE, kNu);
+            accuracy_scene(Vec3::Constant(kSide), {kCells, kCells, kCells}, kCubeE, kCubeNu);
         use_method(scene, choice);
         scene.material.damping_per_s = 60;
         scene.end_s = 0.4;
@@ -81,12 +81,12 @@ void held_boundary(AccuracyTable& table, const State& state) {
 }
 
 void uniaxial(AccuracyTable& table, double a) {
-    const NeoHookean c = neo_hookean(kE, kNu);
+    const NeoHookean c = neo_hookean(kCubeE, kCubeNu);
     const double j = 1 + c.mu_pa / c.lambda_pa * (1 - 1 / a);
     const double p = c.mu_pa * (a - j / (a * a));
     for (const MethodChoice& choice : kChoices) {
         VerificationScene scene =
-            accuracy_scene(Vec3::Constant(kSide), {kCells, kCells, kCells}, kE, kNu);
+            accuracy_scene(Vec3::Constant(kSide), {kCells, kCells, kCells}, kCubeE, kCubeNu);
         use_method(scene, choice);
         scene.material.damping_per_s = 60;
         scene.end_s = 0.5;

@@ -12,7 +12,7 @@
 namespace placode::sim {
 namespace {
 
-constexpr double kRadius = 5e-3, kDepth = 2e-4, kE = 50e3, kNu = 0.45;
+constexpr double kRadius = 5e-3, kDepth = 2e-4, kHertzE = 50e3, kHertzNu = 0.45;
 
 /// Coordinates 0 .. size: three eighths of the `cells` are `first` long, so that the whole contact
 /// lies on them; the others grow by a constant ratio.
@@ -35,7 +35,8 @@ std::vector<double> graded(double size, double first, int cells) {
 
 VerificationScene block(int cells, double radii, double edge_m) {
     const double size = radii * std::sqrt(kRadius * kDepth);
-    VerificationScene scene = accuracy_scene(Vec3::Constant(size), {cells, cells, cells}, kE, kNu);
+    VerificationScene scene =
+        accuracy_scene(Vec3::Constant(size), {cells, cells, cells}, kHertzE, kHertzNu);
     const std::vector<double> at = graded(size, edge_m, cells);
     const auto moved = [&](const Vec3& p) {
         Vec3 q;
@@ -66,7 +67,7 @@ VerificationScene block(int cells, double radii, double edge_m) {
 double indent(AccuracyTable& table, VerificationScene scene, double edge_m, const char* setting,
               double newton_force_n, bool half_space) {
     const double hertz =
-        4.0 / 3 * kE / (1 - kNu * kNu) * std::sqrt(kRadius) * std::pow(kDepth, 1.5);
+        4.0 / 3 * kHertzE / (1 - kHertzNu * kHertzNu) * std::sqrt(kRadius) * std::pow(kDepth, 1.5);
     const SolveResult result = solve(scene);
     const double force = 4 * result.contact_force_n.z();
     AccuracyRow row =

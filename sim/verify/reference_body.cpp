@@ -21,12 +21,6 @@ Mat3 cofactor(const Mat3& f) {
     return out;
 }
 
-Mat3 cross_matrix(const Vec3& w) {
-    Mat3 out;
-    out << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
-    return out;
-}
-
 }  // namespace
 
 ReferenceBody::ReferenceBody(const SoftBodySpec& spec) {

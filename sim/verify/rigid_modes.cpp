@@ -20,12 +20,6 @@ constexpr uint8_t kAllAxes = 7;
 constexpr double kThin = 1e-9;     // of the trace: a body shrunk to a line has no spin
 constexpr double kSettled = 1e-7;  // of an edge: what such a step leaves is its square
 
-Mat3 cross_matrix(const Vec3& a) {
-    Mat3 m;
-    m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-    return m;
-}
-
 /// m (r . r - r r^T).
 Mat3 inertia_of(double mass, const Vec3& r) {
     return mass * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());

@@ -13,11 +13,11 @@
 namespace placode::lti {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// A place in the file, for what is said of it.
 struct Place {
-    const Json& json;
+    const OrderedJson& json;
     std::string file, pointer;
 
     [[noreturn]] void refuse(const std::string& why) const {
@@ -117,7 +117,7 @@ Platform read_platform(const Place& place) {
     return platform;
 }
 
-Settings settings_of(const Json& json, const std::string& file) {
+Settings settings_of(const OrderedJson& json, const std::string& file) {
     const Place root{json, file, ""};
     root.only({"version", "tool_url", "private_key_file", "platforms"});
     if (root.at("version").json != 1) root.at("version").refuse("expected 1");
@@ -138,11 +138,11 @@ Settings settings_of(const Json& json, const std::string& file) {
     return settings;
 }
 
-Json json_of(const std::string& file) {
+OrderedJson json_of(const std::string& file) {
     const std::string text = read_settings_text(file);
     try {
-        return Json::parse(text);
-    } catch (const Json::parse_error& error) {
+        return OrderedJson::parse(text);
+    } catch (const OrderedJson::parse_error& error) {
         throw SettingsError(file + ": is no JSON: byte " + std::to_string(error.byte));
     }
 }
@@ -164,7 +164,7 @@ size_t index_of(const Platform& platform, const std::string& subject) {
                             : static_cast<size_t>(found - platform.links.data());
 }
 
-void keep(const std::string& file, const Json& json) {
+void keep(const std::string& file, const OrderedJson& json) {
     (void)settings_of(json, file);
     replace_text(file, json.dump(2) + "\n");
 }
@@ -191,11 +191,11 @@ Settings read_settings(const std::string& file) { return settings_of(json_of(fil
 
 void add_link(const std::string& file, const std::string& issuer, const std::string& client_id,
               const Link& link) {
-    Json json = json_of(file);
+    OrderedJson json = json_of(file);
     const Settings settings = settings_of(json, file);
     const size_t which = index_of(settings, issuer, client_id);
-    Json& links = json["platforms"][which]["links"];
-    if (links.is_null()) links = Json::array();
+    OrderedJson& links = json["platforms"][which]["links"];
+    if (links.is_null()) links = OrderedJson::array();
     links[index_of(settings.platforms[which], link.subject)] = {
         {"sub", link.subject}, {"account", link.account}, {"login", link.login}};
     keep(file, json);
@@ -203,7 +203,7 @@ void add_link(const std::string& file, const std::string& issuer, const std::str
 
 bool remove_link(const std::string& file, const std::string& issuer, const std::string& client_id,
                  const std::string& subject) {
-    Json json = json_of(file);
+    OrderedJson json = json_of(file);
     const Settings settings = settings_of(json, file);
     const size_t which = index_of(settings, issuer, client_id);
     const size_t at = index_of(settings.platforms[which], subject);
