@@ -60,13 +60,17 @@ function(placode_optimise_little)
   endforeach()
 endfunction()
 
-# Several files at once: what arranges, parses and prints takes its time in headers and templates, which
-# are then compiled once for all of them. Every file still names what it uses; -DPLACODE_UNITY=OFF compiles
-# each alone.
-option(PLACODE_UNITY "Compile files of the user interface and the command line several at a time" ON)
+# Several files at once: most of the time to compile one goes into headers and templates, which are then
+# compiled once for all of them. Every file still names what it uses, and -DPLACODE_UNITY=OFF compiles each
+# alone (the presets debug and tsan do). Neighbours in a folder must not define the same name for themselves.
+option(PLACODE_UNITY "Compile the files of a library several at a time" ON)
 function(placode_several_at_once)
   if(PLACODE_UNITY)
     set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    foreach(target IN LISTS ARGN)
+      # g++ warns of members with private types in what is included; here that is the .cpp itself.
+      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    endforeach()
   endif()
 endfunction()
 
@@ -84,6 +88,7 @@ function(placode_library name)
   target_include_directories(placode_${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(placode_${name} PUBLIC ${arg_LINK})
   placode_precompile(placode_${name} ${arg_PRECOMPILE})
+  placode_several_at_once(placode_${name})
 endfunction()
 
 # placode_embed_sql(TARGET FOLDER): the numbered .sql files become one generated source that defines
@@ -222,6 +227,6 @@ function(placode_ui_programs)
   qt_add_resources(placode_web placode_web_polish PREFIX /i18n BASE ${CMAKE_CURRENT_BINARY_DIR}/web FILES ${polish})
   placode_program(placode-web SOURCES ui/web/main.cpp LINK placode_web placode_version CLI11::CLI11)
   placode_optimise_little(placode_shell placodectl placode_lti placode_web)
-  placode_several_at_once(placode_shell placode_attempt placode_view placodectl)
+  placode_several_at_once(placode_shell placode_attempt placode_web placodectl)
   placode_precompile(placodectl <CLI/CLI.hpp> <nlohmann/json.hpp> <iostream>)
 endfunction()
