@@ -5,12 +5,15 @@
 
 #include <hwy/highway.h>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 
 #include "sim/core/event.h"
 #include "sim/solver/restore_rest_shape.h"
 #include "sim/solver/soft_body.h"
+#include "sim/solver/soft_body_kernels.h"
+#include "sim/solver/vertex_motion.h"
 
 using namespace placode::sim;
 
@@ -56,6 +59,20 @@ double farthest(const SoftBodyState& a, const SoftBodyState& b) {
     return worst;
 }
 
+/// Calls `what` with the kernels of every instruction set that this processor has.
+template <class What>
+void with_every_instruction_set(What&& what) {
+    for (const int64_t target : {HWY_SCALAR, HWY_SSSE3, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
+        hwy::SetSupportedTargetsForTest(0);
+        if ((hwy::SupportedTargets() & target) == 0) continue;
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        what();
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
 class SubstepByMethod : public ::testing::TestWithParam<Method> {};
 
 INSTANTIATE_TEST_SUITE_P(Methods, SubstepByMethod,
@@ -64,17 +81,19 @@ INSTANTIATE_TEST_SUITE_P(Methods, SubstepByMethod,
 TEST_P(SubstepByMethod, GivesTheSameBitsWithAnyNumberOfThreads) {
     const SoftBody body(slab_spec(GetParam()));
     uint64_t expected = 0;
-    for (int threads = 1; threads <= 8; ++threads) {
-        if (threads > 4 && threads < 8) continue;
-        Workers workers(threads);
-        SoftBodyState state(body);
-        poke(state, 5e-5F);
-        for (const int t : {100, 101, 350}) remove_tet(body, state, t);
-        run_substeps(body, state, 40, workers);
-        const uint64_t hash = state_hash(state);
-        if (threads == 1) expected = hash;
-        EXPECT_EQ(hash, expected) << threads << " threads";
-    }
+    with_every_instruction_set([&] {
+        for (int threads = 1; threads <= 8; ++threads) {
+            if (threads > 4 && threads < 8) continue;
+            Workers workers(threads);
+            SoftBodyState state(body);
+            poke(state, 5e-5F);
+            for (const int t : {100, 101, 350}) remove_tet(body, state, t);
+            run_substeps(body, state, 40, workers);
+            const uint64_t hash = state_hash(state);
+            if (threads == 1) expected = hash;
+            EXPECT_EQ(hash, expected) << threads << " threads, " << kernel_target();
+        }
+    });
     Workers workers(1);
     SoftBodyState other(body);
     poke(other, 6e-5F);
@@ -101,17 +120,77 @@ TEST(Substep, SweepsThereAndBackDependNeitherOnThreadsNorOnTheInstructionSet) {
             EXPECT_EQ(state_hash(run(threads, 41)), state_hash(run(1, 41))) << threads;
         }
         const SoftBodyState reference = run(1, 20);
-        for (const int64_t target : {HWY_SCALAR, HWY_SSSE3, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
-            hwy::SetSupportedTargetsForTest(0);
-            if ((hwy::SupportedTargets() & target) == 0) continue;
-            hwy::SetSupportedTargetsForTest(target);
-            hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        with_every_instruction_set([&] {
+            for (const int threads : {2, 3}) {
+                EXPECT_EQ(state_hash(run(threads, 41)), state_hash(run(1, 41)))
+                    << threads << " threads, " << kernel_target();
+            }
             // As in EveryInstructionSetAgrees.
             EXPECT_LT(farthest(run(1, 20), reference), 2e-8) << kernel_target();
-        }
-        hwy::SetSupportedTargetsForTest(0);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        });
     }
+}
+
+/// Vertices as they come in a step: held ones, free ones among others, zeros of both signs.
+void scatter(SoftBodyState& state) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> any(-1, 1);
+    const auto number = [&]() -> float {
+        const unsigned kind = random() % 8;
+        return kind == 0 ? 0.0F : kind == 1 ? -0.0F : 1e-3F * any(random);
+    };
+    for (size_t i = 0; i < state.x.size(); ++i) {
+        state.x[i] = {number(), number(), number(), random() % 5 == 0 ? 0.0F : 3e5F};
+        state.x_start[i] = {number(), number(), number(), state.x[i].w};
+        state.v[i] = {number(), number(), number(), 0};
+        state.free_vertex[i] = i > 200 && random() % 9 == 0 ? 1 : 0;
+    }
+}
+
+// A vertex's bits must not depend on who does it: shares of threads end anywhere.
+TEST(Substep, MotionHasTheSameBitsByKernelAndByHand) {
+    const SoftBody body(slab_spec(Method::kVbd));
+    const std::vector<float> damping(body.mesh().rest.size() + 4, 3.7F);
+    std::mt19937 random(8);
+    with_every_instruction_set([&] {
+        for (const bool gravity : {false, true}) {
+            SoftBodyState by_hand(body), by_kernel(body);
+            scatter(by_hand);
+            scatter(by_kernel);
+            const auto motion_of = [&](SoftBodyState& state) {
+                MotionArguments m;
+                m.x = state.x.data();
+                m.v = state.v.data();
+                m.x_start = state.x_start.data();
+                m.free_vertex = state.free_vertex.data();
+                m.damping_per_s = damping.data();
+                m.h = 2.5e-4F;
+                m.fall_m_s = {0, -0.0F, -2.45e-3F, 0};
+                m.gravity_in_guess = gravity;
+                return m;
+            };
+            const MotionArguments plain = motion_of(by_hand), wide = motion_of(by_kernel);
+            VertexMotion one(by_hand, plain), rest(by_kernel, wide);
+            const size_t n = by_hand.x.size();
+            size_t done_by_kernel = 0;
+            for (const bool begin : {false, true, false}) {
+                for (size_t i = 0; i < n; ++i) begin ? one.begin(i) : one.end(i);
+                for (size_t i = 0; i < n;) {
+                    const size_t last = std::min(n, i + 1 + random() % 40);
+                    const size_t from = i;
+                    i = begin ? begin_motion(wide, i, last) : end_motion(wide, i, last);
+                    done_by_kernel += i - from;
+                    for (; i < last; ++i) begin ? rest.begin(i) : rest.end(i);
+                }
+                EXPECT_EQ(std::memcmp(by_hand.x.data(), by_kernel.x.data(), n * sizeof(Float4)), 0)
+                    << kernel_target() << " gravity " << gravity << " begin " << begin;
+                EXPECT_EQ(std::memcmp(by_hand.v.data(), by_kernel.v.data(), n * sizeof(Float4)), 0)
+                    << kernel_target() << " gravity " << gravity << " begin " << begin;
+            }
+            const bool scalar = std::string(kernel_target()) == "SCALAR";
+            EXPECT_EQ(done_by_kernel > n, !scalar) << kernel_target();
+        }
+    });
 }
 
 TEST_P(SubstepByMethod, TheThreeCallsAndRunSubstepsAreTheSameBits) {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Begin and end of a substep over whole registers of vertices (one Float4 each). Both stop before
 // the first register that needs more than the common case: the caller does that one vertex by
-// vertex.
+// vertex. Which vertices that are depends on where a thread's share ends, so the bits have to be
+// those of vertex_motion.cpp: the same operations in the same order, none of them fused.
 
 #if defined(PLACODE_SIM_MOTION_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLACODE_SIM_MOTION_KERNEL_INL
@@ -35,6 +36,9 @@ HWY_INLINE V EveryPoint(const std::array<float, 4>& xyzw) {
     return hn::LoadDup128(D(), xyzw.data());
 }
 
+/// Rounded after each operation on every instruction set.
+HWY_INLINE V ScaledSum(V scale, V a, V b) { return hn::Add(hn::Mul(scale, a), b); }
+
 HWY_INLINE bool AllFinite(V a) {
     const D d;
     return hn::AllTrue(d, hn::Le(hn::Abs(a), hn::Set(d, std::numeric_limits<float>::max())));
@@ -60,7 +64,7 @@ HWY_INLINE size_t BeginMotion(const MotionArguments& a, size_t first, size_t las
         if (!AllFinite(hn::Add(x, v)) || !GuessGravity(a, first, points, gravity, g)) break;
         hn::StoreU(x, d, &a.x_start[first].x);
         const M moves = hn::And(point, hn::Gt(hn::Broadcast<3>(x), zero));
-        hn::StoreU(hn::IfThenElse(moves, hn::MulAdd(h, hn::Add(v, g), x), x), d, &a.x[first].x);
+        hn::StoreU(hn::IfThenElse(moves, ScaledSum(h, hn::Add(v, g), x), x), d, &a.x[first].x);
     }
     return first;
 }
@@ -82,12 +86,12 @@ HWY_INLINE size_t EndMotion(const MotionArguments& a, size_t first, size_t last)
         if (!AllFinite(x) || !GuessGravity(a, first, points, gravity, g)) break;
         const M moves = hn::Gt(hn::Broadcast<3>(x), zero);
         const V base = hn::IfThenElseZero(moves, hn::Add(v, g));
-        const V from = hn::MulAdd(h, base, start);
+        const V from = ScaledSum(h, base, start);
         // Four damping rates are read, as many as there are points are used.
         const V damping =
             hn::TableLookupLanes(hn::LoadDup128(d, a.damping_per_s + first), point_of);
-        const V keep = hn::Div(one, hn::MulAdd(h, damping, one));
-        const V moved = hn::Mul(keep, hn::MulAdd(hn::Sub(x, from), inverse_h, base));
+        const V keep = hn::Div(one, ScaledSum(h, damping, one));
+        const V moved = hn::Mul(keep, ScaledSum(hn::Sub(x, from), inverse_h, base));
         hn::StoreU(hn::IfThenElseZero(point, moved), d, &a.v[first].x);
     }
     return first;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/solver/vertex_motion.h"
 
+#include <array>
+
 #include "sim/core/event.h"
 #include "sim/solver/double_float.h"
 
@@ -37,7 +39,7 @@ uint32_t VertexMotion::begin(size_t i) noexcept {
         v = {v.x + push.x, v.y + push.y, v.z + push.z, 0};
         state_.pushed[i] = v;
     }
-    if (x.w > 0) state_.x[i] = guess(i, x, state_.v[i]);
+    if (x.w > 0) state_.x[i] = guessed(x, planned(i, state_.v[i]));
     if (keeps_low()) begin_low(i);
     return flags;
 }
@@ -55,11 +57,8 @@ uint32_t VertexMotion::end(size_t i) noexcept {
     }
     // Velocity is a state of its own: what the guess assumed plus what the sweep changed,
     // so that rounding of the position never enters it. Held vertices: the difference.
-    Float4 from = start, base{};
-    if (x.w > 0) {
-        from = guess(i, start, v);
-        base = planned(i, v);
-    }
+    const Float4 base = x.w > 0 ? planned(i, v) : Float4{};
+    const Float4 from = guessed(start, base);
     Float4 changed = {x.x - from.x, x.y - from.y, x.z - from.z, 0};
     if (keeps_low()) changed = changed_low(i, base);
     const float keep = 1.0F / (1.0F + h * motion_.damping_per_s[i]);
@@ -91,12 +90,13 @@ Float4 VertexMotion::changed_low(size_t i, const Float4& base) const noexcept {
 /// Velocity that the start guess assumes. VBD leaves gravity to the target (in the guess it
 /// makes the sweep overshoot), except where nothing holds the tissue.
 Float4 VertexMotion::planned(size_t i, const Float4& v) const noexcept {
-    const float g = motion_.gravity_in_guess || state_.free_vertex[i] != 0 ? 1.0F : 0.0F;
-    const Float4 u = {v.x + g * motion_.fall_m_s[0], v.y + g * motion_.fall_m_s[1],
-                      v.z + g * motion_.fall_m_s[2], 0};
-    if (state_.force_n.empty()) return u;
+    const bool falls = motion_.gravity_in_guess || state_.free_vertex[i] != 0;
+    // + 0, not nothing: the kernels add it, and it makes -0 into 0.
+    const std::array<float, 4> g = falls ? motion_.fall_m_s : std::array<float, 4>{};
+    const Float4 u = {v.x + g[0], v.y + g[1], v.z + g[2], 0};
+    if (state_.force_n.empty() || !falls) return u;
     const Float4 push = pushed_by_force(i);
-    return {u.x + g * push.x, u.y + g * push.y, u.z + g * push.z, 0};
+    return {u.x + push.x, u.y + push.y, u.z + push.z, 0};
 }
 
 /// h force / m.
@@ -106,8 +106,7 @@ Float4 VertexMotion::pushed_by_force(size_t i) const noexcept {
     return {s * f.x, s * f.y, s * f.z, 0};
 }
 
-Float4 VertexMotion::guess(size_t i, const Float4& x, const Float4& v) const noexcept {
-    const Float4 u = planned(i, v);
+Float4 VertexMotion::guessed(const Float4& x, const Float4& u) const noexcept {
     const float h = motion_.h;
     return {x.x + h * u.x, x.y + h * u.y, x.z + h * u.z, x.w};
 }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Begin and end of a substep one vertex at a time: what the kernels of motion leave over, bodies
-// with external forces, and positions with low parts. Private to the solver.
+// Begin and end of a substep one vertex at a time: what the kernels of motion leave over (to the
+// same bits, motion_kernel-inl.h), bodies with external forces, and positions with low parts.
+// Private to the solver.
 
 #include "sim/solver/soft_body.h"
 #include "sim/solver/soft_body_kernels.h"
@@ -28,7 +29,7 @@ class VertexMotion {
     [[nodiscard]] Float4 changed_low(size_t i, const Float4& base) const noexcept;
     [[nodiscard]] Float4 planned(size_t i, const Float4& v) const noexcept;
     [[nodiscard]] Float4 pushed_by_force(size_t i) const noexcept;
-    [[nodiscard]] Float4 guess(size_t i, const Float4& x, const Float4& v) const noexcept;
+    [[nodiscard]] Float4 guessed(const Float4& x, const Float4& u) const noexcept;
 
     SoftBodyState& state_;
     const MotionArguments& motion_;
