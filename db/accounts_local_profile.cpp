@@ -4,6 +4,7 @@
 // of the profile later.
 
 #include "db/accounts.h"
+#include "db/local_profile.h"
 #include "db/password.h"
 #include "db/sqlite_file.h"
 #include "db/store_context.h"
@@ -92,10 +93,7 @@ void Accounts::name_local_profile(const NewUser& user) {
 }
 
 void Accounts::need_accounts() {
-    if (find_profile(connection_))
-        connection_.fail(Kind::kRefused,
-                         "this store is one person's without a password; make an account of that "
-                         "profile first");
+    if (find_profile(connection_)) connection_.fail(Kind::kRefused, kOnePersonsStore);
 }
 
 }  // namespace placode::db

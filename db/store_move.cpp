@@ -8,7 +8,9 @@
 
 #include <filesystem>
 
+#include "db/accounts.h"
 #include "db/held_store.h"
+#include "db/local_profile.h"
 #include "db/move_rows.h"
 #include "db/move_target.h"
 #include "db/station_role.h"
@@ -62,6 +64,10 @@ class StoreMove {
         if (from_.url().path == ":memory:" || to_.path == ":memory:")
             from_.fail(Kind::kRefused, "a store in memory does not move");
         if (!from_.is_sqlite() && !owns_tables(from_)) from_.fail(Kind::kRefused, kOnlyTheOwner);
+        // On a server nobody could sign in to it any more.
+        const bool nobody_has_a_password = Accounts(source_).local_profile().has_value();
+        from_.begin_operation("move");
+        if (nobody_has_a_password) from_.fail(Kind::kRefused, kOnePersonsStore);
         place_.store = first_chain(from_);
         if (place_.store.empty())
             from_.fail(Kind::kRefused, "there is nothing in it yet; begin in the new place");

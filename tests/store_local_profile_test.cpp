@@ -104,6 +104,25 @@ TEST_P(LocalProfileTest, ItBecomesAnAccountAsAllOthers) {
     EXPECT_THAT(open()->check(), IsEmpty()) << "the seals follow";
 }
 
+// There it could not come in any more.
+TEST_P(LocalProfileTest, ItsStoreMovesToNoServerBeforeItHasAPassword) {
+    const auto store = open();
+    store->accounts().begin_alone("Guest");
+    ASSERT_EQ(store->accounts().enter().outcome, SignInOutcome::kOk);
+    const char* nowhere = "postgresql://owner:x@127.0.0.1:1/placode";
+    db::MoveOptions look;
+    look.dry_run = true;
+    for (const bool dry : {true, false}) {
+        const auto error =
+            failure_of([&] { (void)store->move_to(nowhere, dry ? look : db::MoveOptions()); });
+        EXPECT_EQ(error.kind(), StoreError::Kind::kRefused);
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("move "), HasSubstr("make an account of that")));
+    }
+    store->accounts().name_local_profile(named("anna"));
+    EXPECT_EQ(failure_of([&] { (void)store->move_to(nowhere, look); }).kind(),
+              StoreError::Kind::kUnavailable);
+}
+
 TEST_P(LocalProfileTest, OnlyItselfMakesAnAccountOfIt) {
     const auto store = open();
     store->accounts().begin_alone("Guest");
