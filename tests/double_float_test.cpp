@@ -3,13 +3,13 @@
 // Positions that carry what a float has no room for (SoftBodyState::x_low).
 #include <gtest/gtest.h>
 
-#include <hwy/highway.h>
 #include <cmath>
 #include <limits>
 
 #include "sim/core/as_index.h"
 #include "sim/core/event.h"
 #include "sim/solver/double_float.h"
+#include "tests/instruction_sets.h"
 
 using namespace placode::sim;
 
@@ -134,20 +134,14 @@ TEST_P(LowParts, EveryInstructionSetAgrees) {
         return state;
     };
     const SoftBodyState expected = after();
-    for (const int64_t target : {HWY_SCALAR, HWY_SSSE3, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
-        hwy::SetSupportedTargetsForTest(0);
-        if ((hwy::SupportedTargets() & target) == 0) continue;
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    placode::test::with_every_instruction_set([&] {
         const SoftBodyState state = after();
         for (int v = 0; v < body.vertex_count(); ++v) {
             // 1e-6 of the 0.4 mm that the block shrinks by; rounded positions agree to 2e-8.
             EXPECT_LT((exact_position(state, v) - exact_position(expected, v)).norm(), 4e-10)
                 << kernel_target();
         }
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    });
 }
 
 TEST_P(LowParts, ConserveTheMomentumThatTheMethodConserves) {

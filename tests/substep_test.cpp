@@ -3,7 +3,6 @@
 // Threads, instruction sets, units, recovery, held and contact vertices, tethers.
 #include <gtest/gtest.h>
 
-#include <hwy/highway.h>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -14,8 +13,10 @@
 #include "sim/solver/soft_body.h"
 #include "sim/solver/soft_body_kernels.h"
 #include "sim/solver/vertex_motion.h"
+#include "tests/instruction_sets.h"
 
 using namespace placode::sim;
+using placode::test::with_every_instruction_set;
 
 namespace THIS_TEST {
 
@@ -57,20 +58,6 @@ double farthest(const SoftBodyState& a, const SoftBodyState& b) {
         worst = std::max(worst, (where(a, v) - where(b, v)).norm());
     }
     return worst;
-}
-
-/// Calls `what` with the kernels of every instruction set that this processor has.
-template <class What>
-void with_every_instruction_set(What&& what) {
-    for (const int64_t target : {HWY_SCALAR, HWY_SSSE3, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
-        hwy::SetSupportedTargetsForTest(0);
-        if ((hwy::SupportedTargets() & target) == 0) continue;
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        what();
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
 class SubstepByMethod : public ::testing::TestWithParam<Method> {};
@@ -218,21 +205,13 @@ TEST_P(SubstepByMethod, EveryInstructionSetAgrees) {
     SoftBodyState reference(body);
     poke(reference, 5e-5F);
     run_substeps(body, reference, 20, workers);
-    int tried = 0;
-    for (const int64_t target : {HWY_SCALAR, HWY_SSSE3, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
-        hwy::SetSupportedTargetsForTest(0);
-        if ((hwy::SupportedTargets() & target) == 0) continue;
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    const int tried = with_every_instruction_set([&] {
         SoftBodyState state(body);
         poke(state, 5e-5F);
         run_substeps(body, state, 20, workers);
         // Fused or separate rounding: 1e-7 of a coordinate a substep, carried on by the waves.
         EXPECT_LT(farthest(state, reference), 2e-8) << kernel_target();
-        ++tried;
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    });
     EXPECT_GE(tried, 1);
 }
 
