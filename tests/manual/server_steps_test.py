@@ -22,20 +22,18 @@ from terminal import type_at_terminal
 SOURCE = Path(__file__).resolve().parents[2]
 BIN = Path(os.environ["PLACODE_BIN_DIR"])
 OWNER, STATION, ADA = (secrets.token_hex(8) for _ in range(3))
-# What is asked, and what is typed then; {} is the role that is made.
+# What is asked, and what is typed then.
 ANSWERS = [
     ("Password for postgresql://placode_owner", OWNER),
     ("Password of ada", ADA),
 ]
+SERVER, ENCRYPT, TABLES, STATIONS, MOVE, BACK, COPY = range(7)
 
 
 def commands_of(language):
-    """{heading: [command]} of the page, in its order; headings by number, as both languages share it."""
+    """The commands of each section of the page, in its order; sections are SERVER to COPY."""
     text = (SOURCE / "docs/manual" / language / "admin-server.md").read_text()
     return [re.findall(r"^ {4,}(\S.*)$", part, re.M) for part in re.split(r"^## ", text, flags=re.M)[1:]]
-
-
-SERVER, ENCRYPT, TABLES, STATIONS, MOVE, BACK, COPY = range(7)
 
 
 class ServerSteps(unittest.TestCase):
