@@ -154,6 +154,7 @@ TEST(Substep, MotionHasTheSameBitsByKernelAndByHand) {
                 m.h = 2.5e-4F;
                 m.fall_m_s = {0, -0.0F, -2.45e-3F, 0};
                 m.gravity_in_guess = gravity;
+                m.fused = kernels_fuse();
                 return m;
             };
             const MotionArguments plain = motion_of(by_hand), wide = motion_of(by_kernel);

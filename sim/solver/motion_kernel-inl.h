@@ -3,7 +3,7 @@
 // Begin and end of a substep over whole registers of vertices (one Float4 each). Both stop before
 // the first register that needs more than the common case: the caller does that one vertex by
 // vertex. Which vertices that are depends on where a thread's share ends, so the bits have to be
-// those of vertex_motion.cpp: the same operations in the same order, none of them fused.
+// those of vertex_motion.cpp: the same operations in the same order, fused alike.
 
 #if defined(PLACODE_SIM_MOTION_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLACODE_SIM_MOTION_KERNEL_INL
@@ -36,8 +36,8 @@ HWY_INLINE V EveryPoint(const std::array<float, 4>& xyzw) {
     return hn::LoadDup128(D(), xyzw.data());
 }
 
-/// Rounded after each operation on every instruction set.
-HWY_INLINE V ScaledSum(V scale, V a, V b) { return hn::Add(hn::Mul(scale, a), b); }
+/// Fused where the instruction set does (kernels_fuse()).
+HWY_INLINE V ScaledSum(V scale, V a, V b) { return hn::MulAdd(scale, a, b); }
 
 HWY_INLINE bool AllFinite(V a) {
     const D d;

@@ -59,6 +59,8 @@ size_t EndVertices(const MotionArguments& arguments, size_t first, size_t last) 
     return EndMotion(arguments, first, last);
 }
 
+bool Fuses() { return HWY_NATIVE_FMA != 0; }
+
 const char* Name() { return hwy::TargetName(HWY_TARGET); }
 
 }  // namespace HWY_NAMESPACE
@@ -74,6 +76,7 @@ HWY_EXPORT(SpringBatches);
 HWY_EXPORT(TetBatches);
 HWY_EXPORT(BeginVertices);
 HWY_EXPORT(EndVertices);
+HWY_EXPORT(Fuses);
 HWY_EXPORT(Name);
 
 uint32_t solve_vertex_batches(const KernelArguments& arguments, int first, int last) noexcept {
@@ -99,6 +102,8 @@ size_t begin_motion(const MotionArguments& arguments, size_t first, size_t last)
 size_t end_motion(const MotionArguments& arguments, size_t first, size_t last) noexcept {
     return HWY_DYNAMIC_DISPATCH(EndVertices)(arguments, first, last);
 }
+
+bool kernels_fuse() noexcept { return HWY_DYNAMIC_DISPATCH(Fuses)(); }
 
 const char* kernel_target() noexcept { return HWY_DYNAMIC_DISPATCH(Name)(); }
 

@@ -33,7 +33,11 @@ struct MotionArguments {
     float h = 0;                      ///< [s]
     std::array<float, 4> fall_m_s{};  ///< h g
     bool gravity_in_guess = false;    ///< For every vertex, not only for free ones.
+    bool fused = false;               ///< kernels_fuse(), for what is done by hand.
 };
+
+/// Whether the kernels of the chosen instruction set round a product and a sum once.
+bool kernels_fuse() noexcept;
 
 /// x_start and start guess of vertices from `first` on. Returns the first vertex that is
 /// not done: `last`, fewer than a register of them are left, or one is not finite or differs from

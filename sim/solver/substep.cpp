@@ -67,6 +67,7 @@ class Substep {
         motion_.damping_per_s = packed_.damping_per_s.data();
         motion_.h = arguments_.h;
         motion_.gravity_in_guess = !vbd_;
+        motion_.fused = kernels_fuse();
     }
 
     void begin(int part) noexcept {

@@ -3,6 +3,7 @@
 #include "sim/solver/vertex_motion.h"
 
 #include <array>
+#include <cmath>
 
 #include "sim/core/event.h"
 #include "sim/solver/double_float.h"
@@ -61,9 +62,10 @@ uint32_t VertexMotion::end(size_t i) noexcept {
     const Float4 from = guessed(start, base);
     Float4 changed = {x.x - from.x, x.y - from.y, x.z - from.z, 0};
     if (keeps_low()) changed = changed_low(i, base);
-    const float keep = 1.0F / (1.0F + h * motion_.damping_per_s[i]);
-    v = {keep * (base.x + changed.x * inverse_h), keep * (base.y + changed.y * inverse_h),
-         keep * (base.z + changed.z * inverse_h), 0};
+    const float keep = 1.0F / scaled_sum(h, motion_.damping_per_s[i], 1.0F);
+    v = {keep * scaled_sum(changed.x, inverse_h, base.x),
+         keep * scaled_sum(changed.y, inverse_h, base.y),
+         keep * scaled_sum(changed.z, inverse_h, base.z), 0};
     return 0;
 }
 
@@ -106,9 +108,14 @@ Float4 VertexMotion::pushed_by_force(size_t i) const noexcept {
     return {s * f.x, s * f.y, s * f.z, 0};
 }
 
+/// scale a + b, rounded as the kernels do.
+float VertexMotion::scaled_sum(float scale, float a, float b) const noexcept {
+    return motion_.fused ? std::fma(scale, a, b) : scale * a + b;
+}
+
 Float4 VertexMotion::guessed(const Float4& x, const Float4& u) const noexcept {
     const float h = motion_.h;
-    return {x.x + h * u.x, x.y + h * u.y, x.z + h * u.z, x.w};
+    return {scaled_sum(h, u.x, x.x), scaled_sum(h, u.y, x.y), scaled_sum(h, u.z, x.z), x.w};
 }
 
 }  // namespace placode::sim

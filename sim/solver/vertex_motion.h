@@ -29,6 +29,7 @@ class VertexMotion {
     [[nodiscard]] Float4 changed_low(size_t i, const Float4& base) const noexcept;
     [[nodiscard]] Float4 planned(size_t i, const Float4& v) const noexcept;
     [[nodiscard]] Float4 pushed_by_force(size_t i) const noexcept;
+    [[nodiscard]] float scaled_sum(float scale, float a, float b) const noexcept;
     [[nodiscard]] Float4 guessed(const Float4& x, const Float4& u) const noexcept;
 
     SoftBodyState& state_;
