@@ -36,9 +36,6 @@ HWY_INLINE V EveryPoint(const std::array<float, 4>& xyzw) {
     return hn::LoadDup128(D(), xyzw.data());
 }
 
-/// Fused where the instruction set does (kernels_fuse()).
-HWY_INLINE V ScaledSum(V scale, V a, V b) { return hn::MulAdd(scale, a, b); }
-
 HWY_INLINE bool AllFinite(V a) {
     const D d;
     return hn::AllTrue(d, hn::Le(hn::Abs(a), hn::Set(d, std::numeric_limits<float>::max())));
@@ -64,7 +61,7 @@ HWY_INLINE size_t BeginMotion(const MotionArguments& a, size_t first, size_t las
         if (!AllFinite(hn::Add(x, v)) || !GuessGravity(a, first, points, gravity, g)) break;
         hn::StoreU(x, d, &a.x_start[first].x);
         const M moves = hn::And(point, hn::Gt(hn::Broadcast<3>(x), zero));
-        hn::StoreU(hn::IfThenElse(moves, ScaledSum(h, hn::Add(v, g), x), x), d, &a.x[first].x);
+        hn::StoreU(hn::IfThenElse(moves, hn::MulAdd(h, hn::Add(v, g), x), x), d, &a.x[first].x);
     }
     return first;
 }
@@ -86,12 +83,12 @@ HWY_INLINE size_t EndMotion(const MotionArguments& a, size_t first, size_t last)
         if (!AllFinite(x) || !GuessGravity(a, first, points, gravity, g)) break;
         const M moves = hn::Gt(hn::Broadcast<3>(x), zero);
         const V base = hn::IfThenElseZero(moves, hn::Add(v, g));
-        const V from = ScaledSum(h, base, start);
+        const V from = hn::MulAdd(h, base, start);
         // Four damping rates are read, as many as there are points are used.
         const V damping =
             hn::TableLookupLanes(hn::LoadDup128(d, a.damping_per_s + first), point_of);
-        const V keep = hn::Div(one, ScaledSum(h, damping, one));
-        const V moved = hn::Mul(keep, ScaledSum(hn::Sub(x, from), inverse_h, base));
+        const V keep = hn::Div(one, hn::MulAdd(h, damping, one));
+        const V moved = hn::Mul(keep, hn::MulAdd(hn::Sub(x, from), inverse_h, base));
         hn::StoreU(hn::IfThenElseZero(point, moved), d, &a.v[first].x);
     }
     return first;

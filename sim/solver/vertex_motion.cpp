@@ -108,7 +108,7 @@ Float4 VertexMotion::pushed_by_force(size_t i) const noexcept {
     return {s * f.x, s * f.y, s * f.z, 0};
 }
 
-/// scale a + b, rounded as the kernels do.
+/// scale a + b, rounded as MulAdd of the kernels does.
 float VertexMotion::scaled_sum(float scale, float a, float b) const noexcept {
     return motion_.fused ? std::fma(scale, a, b) : scale * a + b;
 }
