@@ -13,12 +13,6 @@
 namespace placode::assessment {
 namespace {
 
-double median_of(std::span<const double> values) {
-    std::vector<double> sorted(values.begin(), values.end());
-    std::sort(sorted.begin(), sorted.end());
-    return quantile(sorted, 0.5);
-}
-
 Separation separation(std::span<const double> low, std::span<const double> high) {
     std::vector<double> values(low.begin(), low.end());
     values.insert(values.end(), high.begin(), high.end());

@@ -9,21 +9,15 @@
 
 #include "assessment/bimanual.h"
 #include "assessment/motion_metrics.h"
+#include "assessment/statistics.h"
 #include "assessment/tremor.h"
 
 namespace placode::assessment {
 
 namespace {
 
-constexpr double kActionMmS = 50, kActionDegS = 50;  // PerkTutor
-constexpr double kPeakMmS = 20, kSegmentMmS = 5, kSegmentShortestS = 0.3, kHandMovesMmS = 5;
+constexpr double kPeakMmS = 20, kHandMovesMmS = 5;
 constexpr double kDegrees = 180 / std::numbers::pi;
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const size_t n = values.size();
-    return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
-}
 
 /// A tool in a hand, with its track.
 struct Held {
@@ -105,7 +99,7 @@ void add_economy(const std::vector<Held>& held, std::vector<Metric>& out) {
     }
     if (moved > 0) out.push_back({"economy_of_motion", straight / moved});
     if (duration_s > 0) out.push_back({"speed_peaks_per_min", peaks / duration_s * 60});
-    if (!jerks.empty()) out.push_back({"jerk_normalised", median(std::move(jerks))});
+    if (!jerks.empty()) out.push_back({"jerk_normalised", median_of(jerks)});
 }
 
 void add_actions(const std::vector<Held>& held, std::vector<Metric>& out) {
@@ -156,24 +150,17 @@ void add_tremor(const sim::Recording& recording, const std::vector<Held>& held,
     const double rate_hz = 1 / recording.header.sample_s;
     double worst = -1, worst_acceleration = -1;
     for (const Held& one : held) {
-        double power = 0, acceleration = 0;
-        bool known = true;
+        std::vector<std::vector<double>> tip_mm(3);
         for (size_t axis = 0; axis < 3; ++axis) {
-            std::vector<double> raw;
-            raw.reserve(recording.samples.size());
+            tip_mm[axis].reserve(recording.samples.size());
             for (const sim::Sample& sample : recording.samples)
-                raw.push_back(static_cast<double>(sample.tools[one.tool].tip_m[axis]) * 1e3);
-            std::vector<double> second;
-            for (size_t k = 1; k + 1 < raw.size(); ++k)
-                second.push_back((raw[k + 1] - 2 * raw[k] + raw[k - 1]) * rate_hz * rate_hz);
-            const auto band = band_power(raw, rate_hz), shaking = band_power(second, rate_hz);
-            known = known && band.has_value() && shaking.has_value();
-            power += band.value_or(0);
-            acceleration += shaking.value_or(0);
+                tip_mm[axis].push_back(static_cast<double>(sample.tools[one.tool].tip_m[axis]) *
+                                       1e3);
         }
-        if (!known) continue;
-        worst = std::max(worst, power);
-        worst_acceleration = std::max(worst_acceleration, acceleration);
+        const std::optional<Tremor> tremor = tremor_of(tip_mm, rate_hz);
+        if (!tremor) continue;
+        worst = std::max(worst, tremor->power);
+        worst_acceleration = std::max(worst_acceleration, tremor->acceleration_power);
     }
     if (worst < 0) return;
     out.push_back({"tremor_rms_mm", std::sqrt(worst)});

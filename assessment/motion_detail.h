@@ -34,6 +34,7 @@ struct PivotPaths {
 /// stays above for `rest_s` or more. Source: PerkTutor (50 mm/s or 50 deg/s, 0.2 s).
 [[nodiscard]] int action_count(std::span<const double> speed, double dt_s, double threshold,
                                double rest_s = 0.2) noexcept;
+inline constexpr double kActionMmS = 50, kActionDegS = 50;  ///< PerkTutor's thresholds.
 
 /// Angle between successive orientations over dt (N - 1) [rad/s].
 [[nodiscard]] std::vector<double> angular_speed(std::span<const Quat> orientations, double dt_s);

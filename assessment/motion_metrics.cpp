@@ -8,6 +8,8 @@
 #include <complex>
 #include <numbers>
 
+#include "assessment/statistics.h"
+
 namespace placode::assessment {
 
 namespace {
@@ -15,9 +17,7 @@ namespace {
 constexpr double kSparcCutoffHz = 10, kSparcAmplitude = 0.05;
 constexpr int kSparcPadLevel = 4;
 constexpr double kMovementMmS = 20;  // ICSAD-like counting
-constexpr double kSegmentMmS = 5;    // smoothness is only defined for discrete movements
-constexpr double kSegmentShortestS = 0.3;
-constexpr double kIdleMmS = 1;  // the incision itself runs at about 3 mm/s
+constexpr double kIdleMmS = 1;       // the incision itself runs at about 3 mm/s
 
 /// In-place radix-2 transform. @pre the size is a power of two.
 void fourier_transform(std::vector<std::complex<double>>& x) {
@@ -43,12 +43,6 @@ void fourier_transform(std::vector<std::complex<double>>& x) {
             }
         }
     }
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const size_t n = values.size();
-    return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
 /// Shared tail of both LDLJ forms: sum of squared jerk, peak speed and sample count.
@@ -307,10 +301,10 @@ void add_motion_metrics(const sim::Recording& recording, std::vector<Metric>& ou
     const double idle_s = idle_seconds(recording, tracks, tools);
     out.push_back({"idle_time_s", idle_s});
     if (time_s > 0) out.push_back({"idle_percent", 100 * std::min(1.0, idle_s / time_s)});
-    if (!smoothness.sparc.empty()) out.push_back({"sparc", median(smoothness.sparc)});
-    if (!smoothness.ldlj.empty()) out.push_back({"ldlj_vector", median(smoothness.ldlj)});
+    if (!smoothness.sparc.empty()) out.push_back({"sparc", median_of(smoothness.sparc)});
+    if (!smoothness.ldlj.empty()) out.push_back({"ldlj_vector", median_of(smoothness.ldlj)});
     if (!smoothness.ldlj_speed.empty())
-        out.push_back({"ldlj_speed", median(smoothness.ldlj_speed)});
+        out.push_back({"ldlj_speed", median_of(smoothness.ldlj_speed)});
 
     out.push_back({"out_of_view_s", out_of_view_s(recording, tools)});
 }

@@ -37,6 +37,8 @@ namespace placode::assessment {
 /// Sum of dt over samples 0..N-2 whose speed is below `threshold` [s].
 [[nodiscard]] double idle_time(std::span<const double> speed, double dt_s,
                                double threshold) noexcept;
+/// Smoothness is only defined for discrete movements: those above this speed, at least so long.
+inline constexpr double kSegmentMmS = 5, kSegmentShortestS = 0.3;
 /// [first, last) ranges with speed at or above `threshold` that last `shortest_s` or more.
 [[nodiscard]] std::vector<std::pair<size_t, size_t>> movement_segments(
     std::span<const double> speed, double dt_s, double threshold, double shortest_s);

@@ -41,8 +41,6 @@ void add(Values& out, const char* key, std::optional<double> value) {
 
 namespace {
 
-// PerkTutor's actions.
-constexpr double kActionMmS = 50, kActionDegS = 50, kActionRestS = 0.2;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 double trapezoid(std::span<const double> y, double dt) {
@@ -110,23 +108,15 @@ std::vector<double> on_analysis_rate(const std::vector<double>& time,
 void add_tremor(Values& out, const SignalFile& file, size_t axes) {
     const bool even = has_even_steps(file);
     const double rate_hz = even ? rate_of(file, false) : kAnalysisRateHz;
-    double power = 0, acceleration = 0;
-    for (size_t axis = 1; axis <= axes; ++axis) {
-        const std::vector<double> x =
-            even ? file.values[axis] : on_analysis_rate(file.values[0], file.values[axis]);
-        std::vector<double> second;
-        for (size_t i = 1; i + 1 < x.size(); ++i) {
-            second.push_back((x[i + 1] - 2 * x[i] + x[i - 1]) * rate_hz * rate_hz);
-        }
-        const auto p = band_power(x, rate_hz);
-        const auto a = band_power(second, rate_hz);
-        if (!p || !a) return;
-        power += *p;
-        acceleration += *a;
-    }
-    add(out, "tremor_power_mm2", power);
-    add(out, "tremor_rms_mm", std::sqrt(power));
-    add(out, "tremor_acceleration_rms_mm_s2", std::sqrt(acceleration));
+    std::vector<std::vector<double>> signals;
+    for (size_t axis = 1; axis <= axes; ++axis)
+        signals.push_back(even ? file.values[axis]
+                               : on_analysis_rate(file.values[0], file.values[axis]));
+    const std::optional<Tremor> tremor = tremor_of(signals, rate_hz);
+    if (!tremor) return;
+    add(out, "tremor_power_mm2", tremor->power);
+    add(out, "tremor_rms_mm", std::sqrt(tremor->power));
+    add(out, "tremor_acceleration_rms_mm_s2", std::sqrt(tremor->acceleration_power));
 }
 
 /// A speed profile as the positions of a track are treated: one filter, one rate.
@@ -194,7 +184,7 @@ Values pose_metrics(const SignalFile& file, const SignalOptions& options) {
     add_speed(out, speed, rate, options);
     add(out, "ldlj_vector", ldlj_vector(velocity, rate));
     add(out, "jerk_normalised", normalised_jerk(velocity, rate));
-    add(out, "translational_actions", action_count(speed, 1 / rate, kActionMmS, kActionRestS));
+    add(out, "translational_actions", action_count(speed, 1 / rate, kActionMmS));
     if (axes == 3) add_extent(out, position);
     add_tremor(out, file, axes);
     if (!orientation.empty()) {
@@ -205,8 +195,7 @@ Values pose_metrics(const SignalFile& file, const SignalOptions& options) {
         add(out, "pitch_path_deg", pivot.pitch_rad * kDegrees);
         add(out, "yaw_path_deg", pivot.yaw_rad * kDegrees);
         add(out, "rotational_actions",
-            action_count(angular_speed(orientation, 1 / rate), 1 / rate, kActionDegS / kDegrees,
-                         kActionRestS));
+            action_count(angular_speed(orientation, 1 / rate), 1 / rate, kActionDegS / kDegrees));
     }
     return out;
 }

@@ -25,6 +25,14 @@ double quantile_type6(std::span<const double> sorted, double q) {
     return sorted[below] + (at - std::floor(at)) * (sorted[above] - sorted[below]);
 }
 
+double median_of(std::span<const double> values) {
+    assert(!values.empty());
+    std::vector<double> sorted(values.begin(), values.end());
+    std::sort(sorted.begin(), sorted.end());
+    const size_t n = sorted.size();
+    return n % 2 == 1 ? sorted[n / 2] : (sorted[n / 2 - 1] + sorted[n / 2]) / 2;
+}
+
 std::optional<double> mean_of(std::span<const double> values) {
     if (values.empty()) return std::nullopt;
     double sum = 0;

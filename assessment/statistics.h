@@ -34,6 +34,8 @@ struct LikertSummary {
 /// Type 6 quantile (SPSS, Minitab). @pre as quantile().
 [[nodiscard]] double quantile_type6(std::span<const double> sorted, double q);
 
+/// In any order. @pre not empty.
+[[nodiscard]] double median_of(std::span<const double> values);
 [[nodiscard]] std::optional<double> mean_of(std::span<const double> values);
 /// Sample SD (n - 1); nothing below two values.
 [[nodiscard]] std::optional<double> sample_sd(std::span<const double> values);

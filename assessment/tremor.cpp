@@ -67,4 +67,19 @@ std::optional<double> band_power(std::span<const double> signal, double rate_hz,
     return sum / segments;
 }
 
+std::optional<Tremor> tremor_of(std::span<const std::vector<double>> axes, double rate_hz) {
+    Tremor tremor;
+    for (const std::vector<double>& x : axes) {
+        std::vector<double> second;
+        for (size_t k = 1; k + 1 < x.size(); ++k)
+            second.push_back((x[k + 1] - 2 * x[k] + x[k - 1]) * rate_hz * rate_hz);
+        const std::optional<double> power = band_power(x, rate_hz);
+        const std::optional<double> acceleration = band_power(second, rate_hz);
+        if (!power || !acceleration) return std::nullopt;
+        tremor.power += *power;
+        tremor.acceleration_power += *acceleration;
+    }
+    return tremor;
+}
+
 }  // namespace placode::assessment

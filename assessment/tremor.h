@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace placode::assessment {
 
@@ -14,5 +15,16 @@ namespace placode::assessment {
 /// signal. Source: Welch 1967; the definition of scipy.signal.welch.
 [[nodiscard]] std::optional<double> band_power(std::span<const double> signal, double rate_hz,
                                                double low_hz = 8, double high_hz = 12);
+
+/// Between 8 and 12 Hz, summed over the axes.
+struct Tremor {
+    double power = 0;               ///< Of the positions [square of their unit].
+    double acceleration_power = 0;  ///< Of their second differences.
+};
+
+/// Of unfiltered positions, a signal an axis. Nothing for signals that band_power() finds too
+/// short.
+[[nodiscard]] std::optional<Tremor> tremor_of(std::span<const std::vector<double>> axes,
+                                              double rate_hz);
 
 }  // namespace placode::assessment

@@ -216,12 +216,6 @@ Json roc(const StatsTable& table, const StatsOptions& options) {
     return result;
 }
 
-double median_of(std::span<const double> values) {
-    std::vector<double> sorted(values.begin(), values.end());
-    std::sort(sorted.begin(), sorted.end());
-    return assessment::quantile(sorted, 0.5);
-}
-
 double mean_of(std::span<const double> values) { return *assessment::mean_of(values); }
 
 constexpr int64_t kMostDraws = 400'000'000;  ///< Some seconds of work.
@@ -245,7 +239,7 @@ Json bootstrap(const StatsTable& table, const StatsOptions& options) {
     const assessment::Bootstrap mean =
         assessment::bootstrap(values, mean_of, options.resamples, options.seed);
     const assessment::Bootstrap median =
-        assessment::bootstrap(values, median_of, options.resamples, options.seed);
+        assessment::bootstrap(values, assessment::median_of, options.resamples, options.seed);
     const assessment::Bootstrap& chosen = options.statistic == "mean" ? mean : median;
     return {{"n", mean.n},
             {"missing", missing},
