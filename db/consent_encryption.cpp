@@ -9,6 +9,7 @@
 #include <array>
 #include <vector>
 
+#include "db/hex.h"
 #include "db/password.h"
 #include "db/store.h"
 
@@ -20,25 +21,9 @@ constexpr std::string_view kMark = "sealed:";
 using PublicKey = std::array<unsigned char, crypto_box_PUBLICKEYBYTES>;
 using SecretKey = std::array<unsigned char, crypto_box_SECRETKEYBYTES>;
 
-template <class Bytes>
-std::string hex_of(const Bytes& bytes) {
-    std::string text(2 * bytes.size() + 1, '\0');
-    sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
-    text.pop_back();
-    return text;
-}
-
-template <class Bytes>
-bool bytes_of(std::string_view text, Bytes& bytes) {
-    size_t length = 0;
-    return sodium_hex2bin(bytes.data(), bytes.size(), text.data(), text.size(), nullptr, &length,
-                          nullptr) == 0 &&
-           length == bytes.size() && text.size() == 2 * length;
-}
-
 PublicKey need_public(const std::string& hex) {
     PublicKey key{};
-    if (!bytes_of(hex, key))
+    if (!bytes_of_hex(hex, key))
         throw StoreError(StoreError::Kind::kDamaged,
                          "seal of consents: \"" + hex + "\" is no public key of 64 digits");
     return key;
@@ -74,8 +59,8 @@ std::optional<std::string> decrypted(const std::string& text, const ConsentKeys&
     std::vector<unsigned char> box(digits.size() / 2);
     PublicKey open{};
     SecretKey secret{};
-    if (box.size() < crypto_box_SEALBYTES || !bytes_of(digits, box) ||
-        !bytes_of(pair.public_key, open) || !bytes_of(pair.secret_key, secret))
+    if (box.size() < crypto_box_SEALBYTES || !bytes_of_hex(digits, box) ||
+        !bytes_of_hex(pair.public_key, open) || !bytes_of_hex(pair.secret_key, secret))
         return std::nullopt;
     std::string plain(box.size() - crypto_box_SEALBYTES, '\0');
     const int opened = crypto_box_seal_open(reinterpret_cast<unsigned char*>(plain.data()),

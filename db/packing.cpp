@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include "db/hex.h"
 #include "db/password.h"
 #include "db/store_error.h"
 
@@ -48,9 +49,7 @@ std::string checksum_hex(std::span<const std::byte> bytes) {
     std::array<unsigned char, 32> sum{};
     crypto_generichash(sum.data(), sum.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
                        bytes.size(), nullptr, 0);
-    std::array<char, 65> hex{};
-    sodium_bin2hex(hex.data(), hex.size(), sum.data(), sum.size());
-    return hex.data();
+    return hex_of(sum);
 }
 
 std::string checksum_hex(const std::string& text) {

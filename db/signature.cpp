@@ -6,28 +6,13 @@
 
 #include <array>
 
+#include "db/hex.h"
 #include "db/packing.h"
 #include "db/password.h"
 #include "db/store_error.h"
 
 namespace placode::db {
 namespace {
-
-template <size_t N>
-std::string hex_of(const std::array<unsigned char, N>& bytes) {
-    std::string text(2 * N + 1, '\0');
-    sodium_bin2hex(text.data(), text.size(), bytes.data(), N);
-    text.pop_back();
-    return text;
-}
-
-template <size_t N>
-bool bytes_of(const std::string& hex, std::array<unsigned char, N>& bytes) {
-    size_t read = 0;
-    return hex.size() == 2 * N &&
-           sodium_hex2bin(bytes.data(), N, hex.data(), hex.size(), nullptr, &read, nullptr) == 0 &&
-           read == N;
-}
 
 const unsigned char* bytes_in(const std::string& text) {
     return reinterpret_cast<const unsigned char*>(text.data());
@@ -46,7 +31,7 @@ KeyPair new_key_pair() {
 std::string sign_text(const std::string& text, const std::string& secret_key) {
     need_sodium();
     std::array<unsigned char, crypto_sign_SECRETKEYBYTES> secret{};
-    if (!bytes_of(secret_key, secret))
+    if (!bytes_of_hex(secret_key, secret))
         throw StoreError(StoreError::Kind::kDamaged, "sign: the centre's key is damaged");
     std::array<unsigned char, crypto_sign_BYTES> signature{};
     crypto_sign_detached(signature.data(), nullptr, bytes_in(text), text.size(), secret.data());
@@ -58,13 +43,13 @@ bool signature_is_right(const std::string& text, const std::string& signature,
     need_sodium();
     std::array<unsigned char, crypto_sign_BYTES> mark{};
     std::array<unsigned char, crypto_sign_PUBLICKEYBYTES> open{};
-    return bytes_of(signature, mark) && bytes_of(public_key, open) &&
+    return bytes_of_hex(signature, mark) && bytes_of_hex(public_key, open) &&
            crypto_sign_verify_detached(mark.data(), bytes_in(text), text.size(), open.data()) == 0;
 }
 
 bool is_public_key(const std::string& text) {
     std::array<unsigned char, crypto_sign_PUBLICKEYBYTES> open{};
-    return bytes_of(text, open);
+    return bytes_of_hex(text, open);
 }
 
 std::string fingerprint(const std::string& public_key) {
