@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/core/as_index.h"
+#include "sim/core/turn.h"
 #include "sim/rod/rod_equations-inl.h"
 
 namespace placode::sim {
@@ -28,14 +29,6 @@ namespace {
 
 constexpr double kMostTurnRad = 0.5;   ///< Of a segment in one Newton step.
 constexpr double kMostGuessRad = 0.1;  ///< Of a segment in the start guess.
-
-/// Small turn that takes `from` to `to`.
-Vec3 turn_between(const Quat& from, const Quat& to) {
-    Quat d = to * from.conjugate();
-    if (d.w() < 0) d.coeffs() = -d.coeffs();
-    // The update takes (1, turn / 2), normalised.
-    return 2 / std::max(d.w(), 1e-3) * d.vec();
-}
 
 }  // namespace
 
@@ -87,11 +80,6 @@ class RodStepper {
             s_.turned[j] = ahead * state_.w[j];
             turn_by(state_.q[j], s_.turned[j]);
         }
-    }
-
-    static void turn_by(Quat& q, const Vec3& by) {
-        q = Quat(1, 0.5 * by.x(), 0.5 * by.y(), 0.5 * by.z()) * q;
-        q.coeffs() *= 1 / std::sqrt(q.squaredNorm());
     }
 
     template <bool kFirst>

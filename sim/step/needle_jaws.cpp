@@ -21,7 +21,7 @@ constexpr float kLetGo = 1.25F;     // opening at which jaws let go, in that at 
 constexpr double kCentring = 0.05;  // of its way to the jaws' middle that the wire goes in a frame
 constexpr float kSlipEnds = 0.1F;   // without slipping this long, the slip is over [s]
 
-void place_at_rest(Event& e, const Vec3& p) noexcept {
+void set_rest_position(Event& e, const Vec3& p) noexcept {
     for (int k = 0; k < 3; ++k) e.rest_position_m[as_index(k)] = static_cast<float>(p[k]);
 }
 
@@ -34,11 +34,11 @@ Event driver_event(const State& state, EventKind kind, int tool, float value,
     e.value = value;
     e.value2 = value2;
     // Not on the tissue: where the jaws are.
-    if (tool >= 0) place_at_rest(e, state.tools[as_index(tool)].proxy.p);
+    if (tool >= 0) set_rest_position(e, state.tools[as_index(tool)].proxy.p);
     return e;
 }
 
-void end_slip(State& state, JawSlip& slip, EventKind kind) noexcept {
+void end_jaw_slip(State& state, JawSlip& slip, EventKind kind) noexcept {
     if (slip.s > 0)
         add_event(state, driver_event(state, kind, state.suturing.driver, slip.s, slip.peak));
     slip = {};
@@ -47,8 +47,8 @@ void end_slip(State& state, JawSlip& slip, EventKind kind) noexcept {
 /// Whoever held the needle holds it no more.
 void end_hold(State& state) noexcept {
     Suturing& s = state.suturing;
-    end_slip(state, s.slide, EventKind::kNeedleSlipped);
-    end_slip(state, s.turn, EventKind::kNeedleTurned);
+    end_jaw_slip(state, s.slide, EventKind::kNeedleSlipped);
+    end_jaw_slip(state, s.turn, EventKind::kNeedleTurned);
     add_event(state, driver_event(state, EventKind::kNeedleReleased, s.driver, s.held_s, s.peak_n));
     s.driver = -1;
     s.locked = 0;
@@ -128,7 +128,7 @@ void note_slip(JawSlip& slip, double force, double dt) noexcept {
 
 void pause(State& state, JawSlip& slip, EventKind kind, double dt) noexcept {
     slip.pause_s += static_cast<float>(dt);
-    if (slip.s > 0 && slip.pause_s > kSlipEnds) end_slip(state, slip, kind);
+    if (slip.s > 0 && slip.pause_s > kSlipEnds) end_jaw_slip(state, slip, kind);
 }
 
 void tell_one(const Scene& scene, State& state, const SutureEvent& told) noexcept {
@@ -141,7 +141,7 @@ void tell_one(const Scene& scene, State& state, const SutureEvent& told) noexcep
     if (told.kind == SutureEventKind::kEntered) e.value2 = static_cast<float>(told.sine);
     if (told.kind == SutureEventKind::kLeft)
         e.value2 = static_cast<float>(depth_of(scene, state, told.channel));
-    place_at_rest(e, told.rest_place_m);
+    set_rest_position(e, told.rest_place_m);
     Suturing& s = state.suturing;
     if (told.kind == SutureEventKind::kEntered) {
         ++s.entered;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sim/core/as_index.h"
+#include "sim/core/turn.h"
 
 namespace placode::sim {
 namespace {
@@ -28,18 +29,6 @@ constexpr double kEnough = 1e-7;  // radians, or radii: less than a nanometre
 constexpr int kSupportPlaces = kMostSupports / 2;
 constexpr double kSupportSearchM = 2e-3, kSupportDeepestM = 0.3e-3;
 constexpr double kSupportHold = 0.5, kSupportDrag = 100;
-
-/// Small turn that takes `from` to `to` [rad].
-Vec3 turn_between(const Quat& from, const Quat& to) noexcept {
-    Quat d = to * from.conjugate();
-    if (d.w() < 0) d.coeffs() = -d.coeffs();
-    return 2 / std::max(d.w(), 1e-3) * d.vec();
-}
-
-void turn_by(Quat& q, const Vec3& by) noexcept {
-    q = Quat(1, 0.5 * by.x(), 0.5 * by.y(), 0.5 * by.z()) * q;
-    q.coeffs() *= 1 / std::sqrt(q.squaredNorm());
-}
 
 /// How a place of the body moves with (way of the centre of mass, turn).
 Mat36 motion_of(const Vec3& from_centre) noexcept {
