@@ -64,10 +64,28 @@ endfunction()
 # compiled once for all of them. Every file still names what it uses, and -DPLACODE_UNITY=OFF compiles each
 # alone (the presets debug and tsan do). Neighbours in a folder must not define the same name for themselves.
 option(PLACODE_UNITY "Compile the files of a library several at a time" ON)
+
+# placode_group_by_folder(TARGET SIZE): neighbours of one folder, so that a new file moves only those
+# of its own folder into another group.
+function(placode_group_by_folder target size)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    string(MAKE_C_IDENTIFIER "${folder}" name)
+    math(EXPR count_${name} "${count_${name}} + 1")
+    math(EXPR number "(${count_${name}} - 1) / ${size}")
+    cmake_path(GET folder FILENAME folder)
+    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP
+                                                                              "${folder}_${number}")
+  endforeach()
+endfunction()
+
 function(placode_several_at_once)
   if(PLACODE_UNITY)
-    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     foreach(target IN LISTS ARGN)
+      placode_group_by_folder(${target} 6)
       # g++ warns of members with private types in what is included; here that is the .cpp itself.
       target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
     endforeach()

@@ -12,7 +12,7 @@
 namespace placode::sim {
 namespace THIS_TEST {
 
-using test::refused;
+using placode::test::refused;
 
 TEST(Suture, StrengthsAndJawsThatCannotBeAreRefused) {
     const auto with = [](auto&& change) {

@@ -15,11 +15,11 @@ namespace {
 constexpr double kTraceHoverM = 0.004;  // Height of free motion over the contour.
 constexpr double kWatchBehindM = 8e-4;  // Where the eye checks the cut: behind the needle's width.
 constexpr double kOverrunM = 5e-4;      // A piece is cut past both of its ends.
-constexpr double kNearM = 2.5e-3;       // The next piece is this close: go on without lifting.
+constexpr double kNextPieceM = 2.5e-3;  // The next piece is this close: go on without lifting.
 constexpr double kSlipS = 0.7;          // A slip, out and back.
 constexpr double kSlideMS = 0.006;      // Over what is cut already, pedal up,
 constexpr double kMostSlideM = 1e-3;    // and over an opened sac no further than that.
-constexpr double kMostWatchS = 10;      // a line that sinks and does not come to rest
+constexpr double kMostSinkS = 10;       // a line that sinks and does not come to rest
 constexpr double kSeekBridgesS = 0.3;   // one look at what still hangs on
 constexpr double kMostClearM = 6e-4, kClearS = 0.2;  // how far and how fast the tip makes room
 constexpr double kHandMS = 0.03;                     // no hand is faster at the tissue,
@@ -230,7 +230,7 @@ void OperatorModel::do_cut(double dt_s) noexcept {
     ++passes_;
     if (plan_run(here - kOverrunM) && passes_ > 1) {
         const double ahead = line_.wrapped(run_.begin_m - here + kOverrunM) - kOverrunM;
-        if (ahead < kNearM && !stop) {
+        if (ahead < kNextPieceM && !stop) {
             const double length = run_.end_m - run_.begin_m;
             run_.begin_m = here + ahead;
             run_.end_m = run_.begin_m + length;
@@ -339,7 +339,7 @@ OperatorAction OperatorModel::act(double dt_s) noexcept {
             do_lift(dt_s);
             break;
         case Stage::kWatch:
-            if (line_.sinks() && stage_s_ < kMostWatchS) break;
+            if (line_.sinks() && stage_s_ < kMostSinkS) break;
             if (line_.by_bridges() && stage_s_ < kSeekBridgesS) break;
             next_or_leave(line_.start_m());
             break;

@@ -11,7 +11,7 @@ namespace placode::haptics {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kHoverM = 0.008;       // of the circle's centre over where it shall be
+constexpr double kOverMarkM = 0.008;    // of the circle's centre over where it shall be
 constexpr double kBeforeM = 0.0025;     // of the point, before it meets the tissue
 constexpr double kClearM = 0.007;       // back along the shaft, off the wire
 constexpr double kTakeM = 0.0013;       // behind the point, where it is taken again
@@ -183,10 +183,11 @@ bool SutureOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
             if (stage_s_ < profile_.look_s || !seen_.needle || !marks) break;
             plan();
             stage(Stage::kReach);
-            hand_.reach(hold_at(p, centre_ + kHoverM * p.up, point_rad_ - held_rad_));
+            hand_.reach(hold_at(p, centre_ + kOverMarkM * p.up, point_rad_ - held_rad_));
             break;
         case Stage::kReach:
-            if (hand_.reached(hold_at(p, centre_ + kHoverM * p.up, point_rad_ - held_rad_), dt_s) &&
+            if (hand_.reached(hold_at(p, centre_ + kOverMarkM * p.up, point_rad_ - held_rad_),
+                              dt_s) &&
                 stage_s_ > 1.5) {
                 if (drawn_ > 0) look_along(p);
                 stage(Stage::kLower);

@@ -17,7 +17,7 @@
 namespace placode::sim {
 namespace {
 
-constexpr double kContactStiffness = 300;  // x E x edge, where the step allows it
+constexpr double kStiffestContact = 300;  // x E x edge, where the step allows it
 
 }  // namespace
 
@@ -104,7 +104,7 @@ double contact_stiffness(const SolveSetup& setup, double omega, SolveResult& out
         lightest = std::min(lightest, setup.body->mass_kg()[as_index(v)]);
     const double unit = setup.scene.material.youngs_modulus_pa * setup.contacts->mean_edge_m();
     const double room = std::max(0.1, 3.6 - omega * omega * h * h);
-    const double k = std::min(kContactStiffness * unit, room * lightest / (6 * h * h));
+    const double k = std::min(kStiffestContact * unit, room * lightest / (6 * h * h));
     if (k < 30 * unit)
         out.warnings.push_back("explicit: contact of " + rounded_text(k, 4) +
                                " N/m is soft, more substeps make it stiffer");

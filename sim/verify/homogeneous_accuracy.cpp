@@ -12,14 +12,14 @@ namespace {
 constexpr double kSide = 3e-3, kCubeE = 5e3, kCubeNu = 0.45;
 constexpr int kCells = 3;
 
-struct State {
+struct Deformation {
     const char* name;
     Mat3 f, p;  ///< Deformation gradient and first Piola stress.
 };
 
-std::vector<State> states() {
+std::vector<Deformation> deformations() {
     const NeoHookean c = neo_hookean(kCubeE, kCubeNu);
-    std::vector<State> out;
+    std::vector<Deformation> out;
     const double k = 0.5;
     Mat3 shear = Mat3::Identity(), p = Mat3::Zero();
     shear(0, 1) = k;
@@ -46,7 +46,7 @@ constexpr MethodChoice kChoices[]{{SolveMethod::kNewton, 1},    {SolveMethod::kV
                                   {SolveMethod::kExplicit, 16}};
 
 /// Mean stress 1/V sum f X^T over the boundary, whose vertices are held one by one in F X.
-void held_boundary(AccuracyTable& table, const State& state) {
+void held_boundary(AccuracyTable& table, const Deformation& deformation) {
     for (const MethodChoice& choice : kChoices) {
         VerificationScene scene =
             accuracy_scene(Vec3::Constant(kSide), {kCells, kCells, kCells}, kCubeE, kCubeNu);
@@ -59,7 +59,7 @@ void held_boundary(AccuracyTable& table, const State& state) {
             if (inner) continue;
             HeldRegion region;
             region.box = {p, p};
-            region.displacement_m = state.f * p - p;
+            region.displacement_m = deformation.f * p - p;
             region.ramp_s = 0.05;
             region.pointer = "/prescribed/" + std::to_string(places.size());
             scene.held.push_back(region);
@@ -69,12 +69,12 @@ void held_boundary(AccuracyTable& table, const State& state) {
         Mat3 mean = Mat3::Zero();
         for (size_t i = 0; i < places.size(); ++i)
             mean += result.reactions[i].force_n * places[i].transpose() / std::pow(kSide, 3);
-        AccuracyRow row = row_of(scene, result, "homogeneous states", state.name,
+        AccuracyRow row = row_of(scene, result, "homogeneous states", deformation.name,
                                  "mean stress against the closed form", kSide / kCells);
         set_text(row.unit, "Pa");
         row.value = mean.norm();
-        row.expected = state.p.norm();
-        row.error = (mean - state.p).norm() / state.p.norm();
+        row.expected = deformation.p.norm();
+        row.error = (mean - deformation.p).norm() / deformation.p.norm();
         row.target = choice.method == SolveMethod::kNewton ? 1e-6 : 1e-3;
         table.add(row);
     }
@@ -112,7 +112,7 @@ void uniaxial(AccuracyTable& table, double a) {
 
 void measure_homogeneous(AccuracyTable& table) {
     for (const double a : {0.8, 1.2}) uniaxial(table, a);
-    for (const State& state : states()) held_boundary(table, state);
+    for (const Deformation& deformation : deformations()) held_boundary(table, deformation);
 }
 
 }  // namespace placode::sim
