@@ -21,6 +21,7 @@ using sim::OperativeFieldSpec;
 using sim::SolverSettings;
 using sim::ToolKind;
 using sim::ToolSpec;
+using sim::Vec2;
 using sim::Vec3;
 
 template <class E>
@@ -50,6 +51,10 @@ struct Reader {
         if (!json.contains(key)) return;
         for (size_t i = 0; i < 3; ++i) value[static_cast<int>(i)] = json[key][i].get<double>();
     }
+    void operator()(const char* key, Vec2& value) const {
+        if (!json.contains(key)) return;
+        for (size_t i = 0; i < 2; ++i) value[static_cast<int>(i)] = json[key][i].get<double>();
+    }
     template <class E, size_t N>
     void choice(const char* key, E& value, const EnumName<E> (&names)[N]) const {
         if (!json.contains(key)) return;
@@ -69,6 +74,7 @@ struct Writer {
     void operator()(const char* key, const Vec3& value) const {
         json[key] = {value[0], value[1], value[2]};
     }
+    void operator()(const char* key, const Vec2& value) const { json[key] = {value[0], value[1]}; }
     template <class E, size_t N>
     void choice(const char* key, const E& value, const EnumName<E> (&names)[N]) const {
         for (const auto& entry : names) {
@@ -125,6 +131,15 @@ void visit_sac(const V& v, S& s) {
     v("fluid_density_kg_m3", s.fluid_density_kg_m3);
     v("floor_n_m", s.floor_n_m);
     v("floor_drag_n_m", s.floor_drag_n_m);
+}
+
+template <class V, class S>
+void visit_slit(const V& v, S& s) {
+    v("from_m", s.from_m);
+    v("to_m", s.to_m);
+    v("width_m", s.width_m);
+    v("layers", s.layers);
+    v("edge_m", s.edge_m);
 }
 
 template <class V, class N>
@@ -323,6 +338,7 @@ OperativeFieldSpec scene_from_json(const Json& scene, const std::string& origin,
         if (scene.contains("solver")) visit_solver(Reader{scene["solver"]}, spec.solver);
         if (scene.contains("sac")) visit_sac(Reader{scene["sac"]}, spec.sac);
         if (scene.contains("suture")) spec.suture = suture_from_json(scene["suture"]);
+        if (scene.contains("slit")) visit_slit(Reader{scene["slit"]}, spec.slit.emplace());
         if (scene.contains("contact")) visit_contact(Reader{scene["contact"]}, spec.contact);
         spec.heat = scene.contains("heat") && scene["heat"].value("enabled", true);
         if (spec.heat) visit_heat(Reader{scene["heat"]}, spec.heat_settings);
@@ -346,6 +362,7 @@ Json scene_to_json(const OperativeFieldSpec& spec) {
     visit_sac(Writer{scene["sac"]}, spec.sac);
     visit_contact(Writer{scene["contact"]}, spec.contact);
     if (spec.suture) scene["suture"] = suture_to_json(*spec.suture);
+    if (spec.slit) visit_slit(Writer{scene["slit"]}, *spec.slit);
     scene["heat"]["enabled"] = spec.heat;
     visit_heat(Writer{scene["heat"]}, spec.heat_settings);
     scene["tools"] = Json::array();

@@ -131,12 +131,27 @@ class Checker {
                             "needle_driver");
     }
 
+    void slit() const {
+        if (!spec_.slit) return;
+        const FieldSlit& s = *spec_.slit;
+        range("slit.edge_m", s.edge_m, 0.0001, 0.005);
+        // Narrower, the triangles of its tips would be flat.
+        range("slit.width_m", s.width_m, 1.5 * s.edge_m, 0.01);
+        range("slit.layers", s.layers, 1, kFieldLayers - 1);
+        range("slit: length", (s.to_m - s.from_m).norm(), 2 * s.width_m, 0.1);
+        if (!spec_.contact.self_contact)
+            throw MeshError("operative field '" + spec_.id +
+                            "': contact.self_contact: false, but the edges of a slit must meet; "
+                            "expected true");
+    }
+
     void mechanics() const {
         range("skin_prestretch", spec_.skin_prestretch, 1, 1.5);
         range("zone_prestretch", spec_.zone_prestretch, 1, 1.5);
         range("placode_prestretch", spec_.placode_prestretch, 1, 1.5);
         sac();
         suture();
+        slit();
         range("bed_normal_pa_m", spec_.bed_normal_pa_m, 0, 1e12);
         range("bed_tangent_pa_m", spec_.bed_tangent_pa_m, 0, 1e12);
         range("side_pa_m", spec_.side_pa_m, 0, 1e12);

@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostTriangles = 40000;  // 480,000 tets, ten times the default
 
 // Vertices of the columns before renumbering: number = 5 * column + level.
-TetMesh extruded(const FieldShape& shape, FieldMesh& field) {
+TetMesh extruded(const FieldShape& shape, int slit_layers, FieldMesh& field) {
     TetMesh mesh;
     for (const Vec2& p : field.plane.points) {
         field.columns.push_back(shape.column(p));
@@ -31,7 +31,8 @@ TetMesh extruded(const FieldShape& shape, FieldMesh& field) {
     });
     for (size_t i = 0; i < rank.size(); ++i) rank[by_height[i]] = static_cast<int32_t>(i);
 
-    for (std::array<int32_t, 3> t : field.plane.triangles) {
+    for (size_t triangle = 0; triangle < field.plane.triangles.size(); ++triangle) {
+        std::array<int32_t, 3> t = field.plane.triangles[triangle];
         double to_placode = 0, to_skin = 0;
         Vec2 centroid = Vec2::Zero();
         for (const int32_t c : t) centroid += field.plane.points[c] / 3;
@@ -43,6 +44,7 @@ TetMesh extruded(const FieldShape& shape, FieldMesh& field) {
         const bool left = e.x() * f.y() - e.y() * f.x() > 0;
         for (int l = 0; l < kFieldLayers; ++l) {
             if (shape.fluid(l, to_skin)) continue;
+            if (l < slit_layers && field.open[triangle]) continue;
             const Tissue tissue = shape.tissue(l, to_placode, to_skin);
             std::array<int32_t, 3> top{}, low{};
             for (int i = 0; i < 3; ++i) top[i] = kColumnVertices * t[i] + l;
@@ -61,30 +63,95 @@ TetMesh extruded(const FieldShape& shape, FieldMesh& field) {
     return mesh;
 }
 
+double area_of(const std::vector<Vec2>& closed) {
+    double twice = 0;
+    for (size_t i = 0; i < closed.size(); ++i) {
+        const Vec2 &a = closed[i], &b = closed[(i + 1) % closed.size()];
+        twice += a.x() * b.y() - a.y() * b.x();
+    }
+    return twice / 2;
+}
+
+void open_slit(const OperativeFieldSpec& spec, const SlitOutline& outline, FieldMesh& field) {
+    double area = 0;
+    for (const auto& t : field.plane.triangles) {
+        const std::vector<Vec2> corners{field.plane.points[t[0]], field.plane.points[t[1]],
+                                        field.plane.points[t[2]]};
+        const bool open = outline.contains((corners[0] + corners[1] + corners[2]) / 3);
+        field.open.push_back(open ? 1 : 0);
+        if (open) area += area_of(corners);
+    }
+    if (outline.empty()) return;
+    // Equal where no triangle lies across a wall.
+    const double wanted = area_of(outline.closed());
+    if (std::abs(area - wanted) > 1e-6 * wanted)
+        throw MeshError("operative field '" + spec.id +
+                        "': slit.edge_m: the mesh does not follow the walls; take shorter edges "
+                        "or a wider slit");
+}
+
+/// Without vertices that no tet has. `original` gets their numbers of before.
+TetMesh without_orphans(const TetMesh& raw, std::vector<int32_t>& original) {
+    std::vector<int32_t> number(raw.rest.size(), -1);
+    for (const auto& tet : raw.tets)
+        for (const int32_t v : tet) number[v] = 0;
+    TetMesh mesh;
+    mesh.tissue = raw.tissue;
+    for (size_t v = 0; v < number.size(); ++v) {
+        if (number[v] < 0) continue;
+        number[v] = static_cast<int32_t>(original.size());
+        original.push_back(static_cast<int32_t>(v));
+        mesh.rest.push_back(raw.rest[v]);
+    }
+    for (auto tet : raw.tets) {
+        for (int32_t& v : tet) v = number[v];
+        mesh.tets.push_back(tet);
+    }
+    return mesh;
+}
+
+void number_columns(const TetMesh& raw, FieldMesh& field) {
+    std::vector<int32_t> original;
+    const TetMesh used = without_orphans(raw, original);
+    const std::vector<int32_t> order = rcm_order(used);
+    field.mesh = renumbered(used, order);
+    std::array<int32_t, kColumnVertices> none{};
+    none.fill(-1);
+    field.vertices.assign(field.columns.size(), none);
+    for (size_t v = 0; v < order.size(); ++v) {
+        field.column.push_back(original[order[v]] / kColumnVertices);
+        field.level.push_back(original[order[v]] % kColumnVertices);
+        field.vertices[field.column[v]][field.level[v]] = static_cast<int32_t>(v);
+    }
+}
+
+/// The column at a point that the triangulation has kept.
+int32_t column_at(const FieldMesh& field, const Vec2& p) {
+    const auto& points = field.plane.points;
+    return static_cast<int32_t>(std::find(points.begin(), points.end(), p) - points.begin());
+}
+
 }  // namespace
 
 FieldMesh build_field_mesh(const OperativeFieldSpec& spec, const FieldShape& shape) {
     FieldMesh field;
+    const SlitOutline outline = slit_outline(spec, shape);
     const std::vector<std::vector<Vec2>> curves{shape.placode().points(), shape.contour(),
                                                 shape.skin().points()};
     try {
         field.plane = graded_mesh(
             Vec2(spec.domain_x_m / 2, spec.domain_y_m / 2), curves,
-            [&](const Vec2& p) { return shape.edge_length(p); }, spec.seed, kMostTriangles);
+            [&](const Vec2& p) { return edge_near_slit(spec, p, shape.edge_length(p)); }, spec.seed,
+            kMostTriangles, outline.empty() ? std::vector<Vec2>{} : outline.closed());
     } catch (const MeshError& error) {
         throw MeshError("operative field '" + spec.id + "': edge_ring_m, edge_placode_m or " +
                         "edge_outer_m: " + error.what());
     }
-    const TetMesh raw = extruded(shape, field);
-    const std::vector<int32_t> order = rcm_order(raw);
-    field.mesh = renumbered(raw, order);
-    field.vertices.resize(field.columns.size());
-    for (size_t v = 0; v < order.size(); ++v) {
-        field.column.push_back(order[v] / kColumnVertices);
-        field.level.push_back(order[v] % kColumnVertices);
-        field.vertices[field.column[v]][field.level[v]] = static_cast<int32_t>(v);
-    }
+    open_slit(spec, outline, field);
+    number_columns(extruded(shape, spec.slit ? spec.slit->layers : 0, field), field);
     check_mesh(field.mesh);
+    field.slit = make_slit(spec, outline, field.mesh.rest.size(),
+                           [&](const Vec2& p) { return field.vertices[column_at(field, p)]; });
     return field;
 }
 
@@ -97,10 +164,12 @@ struct PlaneHit {
 };
 
 // Nearest triangle in the sense of the largest smallest weight: points on an edge are safe.
-PlaneHit locate(const PlanarMesh& plane, const Vec2& p) {
+PlaneHit locate(const FieldMesh& field, const Vec2& p) {
+    const PlanarMesh& plane = field.plane;
     PlaneHit best;
     double best_margin = -1e9;
     for (size_t t = 0; t < plane.triangles.size(); ++t) {
+        if (field.open[t]) continue;
         const Vec2 &a = plane.points[plane.triangles[t][0]],
                    &b = plane.points[plane.triangles[t][1]],
                    &c = plane.points[plane.triangles[t][2]];
@@ -122,7 +191,7 @@ PlaneHit locate(const PlanarMesh& plane, const Vec2& p) {
 }
 
 ContourAnchor anchor_at(const FieldMesh& field, const Vec2& p) {
-    const PlaneHit hit = locate(field.plane, p);
+    const PlaneHit hit = locate(field, p);
     ContourAnchor anchor;
     for (int i = 0; i < 3; ++i) {
         anchor.vertex[i] = field.vertices[field.plane.triangles[hit.triangle][i]][0];

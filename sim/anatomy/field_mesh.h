@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/anatomy/field_shape.h"
+#include "sim/anatomy/field_slit.h"
 #include "sim/anatomy/planar_delaunay.h"
 
 namespace placode::sim {
@@ -17,12 +18,15 @@ inline constexpr int kColumnVertices = kFieldLayers + 1;
 
 /// Tets of the field in RCM order, and the way back to columns.
 struct FieldMesh {
-    PlanarMesh plane;                                            ///< One point per column (C).
-    std::vector<FieldColumn> columns;                            ///< (C)
-    TetMesh mesh;                                                ///< Renumbered.
-    std::vector<int32_t> column;                                 ///< Column of each vertex (V).
-    std::vector<int32_t> level;                                  ///< 0 = surface, 4 = bed (V).
-    std::vector<std::array<int32_t, kColumnVertices>> vertices;  ///< Of each column (C x 5).
+    PlanarMesh plane;                  ///< One point per column (C).
+    std::vector<FieldColumn> columns;  ///< (C)
+    TetMesh mesh;                      ///< Renumbered.
+    std::vector<int32_t> column;       ///< Column of each vertex (V).
+    std::vector<int32_t> level;        ///< 0 = surface, 4 = bed (V).
+    /// Of each column (C x 5); -1 in the opening of a slit.
+    std::vector<std::array<int32_t, kColumnVertices>> vertices;
+    std::vector<uint8_t> open;  ///< Of each triangle of the plane: 1 = it lies in a slit.
+    Slit slit;
 };
 
 /// @throws MeshError when too many triangles would be needed, or a tet came out flat or inverted.

@@ -67,7 +67,7 @@ class PointGrid {
 
 // Corners, sides and curves: these points never move.
 std::vector<Vec2> fixed_points(const Vec2& half, std::span<const std::vector<Vec2>> curves,
-                               const SizeField& size) {
+                               std::span<const Vec2> kept, const SizeField& size) {
     std::vector<Vec2> points{Vec2(-half.x(), -half.y()), Vec2(half.x(), -half.y()),
                              Vec2(half.x(), half.y()), Vec2(-half.x(), half.y())};
     for (int side = 0; side < 4; ++side) {
@@ -75,6 +75,7 @@ std::vector<Vec2> fixed_points(const Vec2& half, std::span<const std::vector<Vec
         const std::vector<Vec2> cut = divided(line, false, size);
         for (size_t i = 1; i + 1 < cut.size(); ++i) points.push_back(cut[i]);
     }
+    points.insert(points.end(), kept.begin(), kept.end());
     for (const std::vector<Vec2>& curve : curves) {
         const size_t others = points.size();
         for (const Vec2& p : divided(curve, true, size)) {
@@ -182,7 +183,8 @@ std::vector<Vec2> divided(std::span<const Vec2> polyline, bool closed, const Siz
 }
 
 PlanarMesh graded_mesh(const Vec2& half, std::span<const std::vector<Vec2>> curves,
-                       const SizeField& size, uint64_t seed, int most_triangles) {
+                       const SizeField& size, uint64_t seed, int most_triangles,
+                       std::span<const Vec2> kept) {
     const SizeSurvey found = survey(half, size);
     if (found.triangles > most_triangles) {
         throw MeshError(
@@ -190,7 +192,7 @@ PlanarMesh graded_mesh(const Vec2& half, std::span<const std::vector<Vec2>> curv
             " triangles in the plane, allowed at most " + std::to_string(most_triangles));
     }
     PlanarMesh mesh;
-    mesh.points = fixed_points(half, curves, size);
+    mesh.points = fixed_points(half, curves, kept, size);
     const size_t fixed = mesh.points.size();
     fill(mesh.points, half, size, found.smallest_m, seed);
     mesh.triangles = delaunay(mesh.points);

@@ -233,6 +233,25 @@ std::vector<std::string> mesh_notes(const TetMesh& mesh, size_t tethers) {
     return notes;
 }
 
+// Walls and floor of a slit. Its columns are those of the triangles that lie in it.
+void uncover_slit(const FieldMesh& field, Surface& surface) {
+    if (!field.slit.present()) return;
+    std::vector<uint8_t> in_slit(field.columns.size(), 0);
+    for (size_t t = 0; t < field.open.size(); ++t) {
+        if (field.open[t] == 0) continue;
+        for (const int32_t c : field.plane.triangles[t]) in_slit[c] = 1;
+    }
+    for (size_t i = 0; i < surface.rest_triangles().size(); ++i) {
+        const auto& face = surface.rest_triangles()[i].vertex;
+        bool inside = true, below = false;
+        for (const int32_t v : face) {
+            inside = inside && in_slit[field.column[v]] != 0 && field.level[v] <= field.slit.layers;
+            below = below || field.level[v] > 0;
+        }
+        if (inside && below) surface.uncover(i);
+    }
+}
+
 }  // namespace
 
 std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spec) {
@@ -263,6 +282,8 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     scene->id = spec.id;
     if (spec.heat) scene->heat.emplace(field.mesh, spec.materials, spec.heat_settings);
     scene->sac = std::move(sac);
+    scene->slit = field.slit;
+    uncover_slit(field, scene->surface);
     scene->contact = spec.contact;
     scene->cut_snap = spec.cut_snap;
     scene->tear_radius_m = spec.tear_radius_m;

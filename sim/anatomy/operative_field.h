@@ -31,6 +31,14 @@ struct FieldSuture {
     double yaw_deg = 0;
 };
 
+/// A wound in the skin beside the lesion, open from the start: an ellipse from tip to tip.
+struct FieldSlit {
+    Vec2 from_m = Vec2::Zero(), to_m = Vec2::Zero();
+    double width_m = 0.001;  ///< In its middle.
+    int layers = 2;          ///< From the surface down, that are parted.
+    double edge_m = 0.0005;  ///< Of the triangles along it.
+};
+
 /// Parameters in SI. Defaults are those of the default preset.
 struct OperativeFieldSpec {
     std::string id = "field";
@@ -82,6 +90,7 @@ struct OperativeFieldSpec {
     bool heat = true;
     HeatSettings heat_settings;
     std::optional<FieldSuture> suture;
+    std::optional<FieldSlit> slit;
     std::vector<ToolSpec> tools;
 };
 

@@ -40,9 +40,11 @@ struct PlanarMesh {
                                         const SizeField& size);
 
 /// Triangulates the rectangle [-half, half]: `curves` (closed) keep points along them, the rest
-/// is filled by the size field and smoothed. Deterministic in `seed`.
+/// is filled by the size field and smoothed. Points of `kept` are points of the mesh, on its 1 nm
+/// grid. Deterministic in `seed`.
 /// @throws MeshError when more than `most_triangles` would be needed.
 [[nodiscard]] PlanarMesh graded_mesh(const Vec2& half, std::span<const std::vector<Vec2>> curves,
-                                     const SizeField& size, uint64_t seed, int most_triangles);
+                                     const SizeField& size, uint64_t seed, int most_triangles,
+                                     std::span<const Vec2> kept = {});
 
 }  // namespace placode::sim

@@ -20,7 +20,6 @@ constexpr int kMostPairs = 1024;         // of a group
 constexpr double kMovedM = 0.001;        // this far from its place at rest, tissue can meet other
 constexpr double kApartAtRest = 0.0015;  // faces nearer than this at rest are its own surroundings
 constexpr double kReachM = 0.0008;  // at 0.1 m/s tissue moves 0.4 mm until it is looked up again
-constexpr double kGapM = 5e-5;      // between two surfaces that touch
 constexpr double kDeepestM = 4e-4;  // deeper in, a vertex belongs to the other side
 constexpr double kBesideM = 1e-4;   // so far beside a face a vertex still touches it
 constexpr double kStaleM = 1e-4;    // boxes may be those of the frame before
@@ -58,6 +57,7 @@ class NearestFace {
           state_(state),
           vertex_(v),
           piece_(state.pieces.of[static_cast<size_t>(tet)]),
+          side_(scene.slit.side_of(v)),
           at_(position(state.body, v)),
           rest_(rest_of(scene, state, v)) {}
 
@@ -76,17 +76,23 @@ class NearestFace {
     void look_at(const SurfaceTriangle& face) noexcept {
         Triangle x;
         Vec3 rest_centre = Vec3::Zero();
+        int own_side = 0, other_side = 0;  // corners of the face on either wall of a slit
         bool moves = state_.body.x[static_cast<size_t>(vertex_)].w != 0;
         for (int k = 0; k < 3; ++k) {
             const int32_t v = face.vertex[static_cast<size_t>(k)];
             if (v == vertex_) return;
             x[static_cast<size_t>(k)] = position(state_.body, v);
             rest_centre += rest_of(scene_, state_, v) / 3;
+            const int along = side_ * scene_.slit.side_of(v);
+            own_side += along > 0 ? 1 : 0;
+            other_side += along < 0 ? 1 : 0;
             moves = moves || state_.body.x[static_cast<size_t>(v)].w != 0;
         }
         if (!moves) return;
         const bool same = state_.pieces.of[static_cast<size_t>(face.tet)] == piece_;
-        if (same && (rest_centre - rest_).squaredNorm() < kApartAtRest * kApartAtRest) return;
+        const bool opposite = other_side > 0 && own_side == 0;
+        if (same && !opposite && (rest_centre - rest_).squaredNorm() < kApartAtRest * kApartAtRest)
+            return;
         const Vec3 w = closest_on_triangle(at_, x);
         const double d2 = (at_ - w.x() * x[0] - w.y() * x[1] - w.z() * x[2]).squaredNorm();
         if (d2 >= best2_) return;
@@ -102,6 +108,7 @@ class NearestFace {
     State& state_;
     int32_t vertex_;
     int8_t piece_;
+    int side_;
     Vec3 at_, rest_;
     double best2_ = kReachM * kReachM;
     TissuePair found_;
@@ -123,15 +130,15 @@ bool touches(const Scene& scene, const State& state, const TissuePair& pair,
     const Vec3 at = start(pair.vertex), w = closest_on_triangle(at, x);
     const Vec3 way = at - w.x() * x[0] - w.y() * x[1] - w.z() * x[2];
     out.n = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
-    const double gap = out.n.dot(way) - kGapM;
+    const double gap = out.n.dot(way) - kTissueGapM;
     const double beside = (way - out.n * out.n.dot(way)).norm();
-    if (!(gap < kGapM) || gap < -kDeepestM || !(beside < kBesideM)) return false;
+    if (!(gap < kTissueGapM) || gap < -kDeepestM || !(beside < kBesideM)) return false;
     out.vertex[0] = pair.vertex;
     out.b = {1, -w.x(), -w.y(), -w.z()};
     out.corners = 4;
     out.tool = kTissueSide;
     out.stiffness_n_m = 1;
-    out.offset_m = -kGapM;
+    out.offset_m = -kTissueGapM;
     out.tissue = scene.body.mesh().tissue[static_cast<size_t>(pair.tet)];
     return true;
 }
@@ -154,7 +161,7 @@ void collect_tissue_pairs(const Scene& scene, State& state) noexcept {
         state.body.topology ? state.body.topology->vertices : scene.body.vertex_count();
     for (auto v = static_cast<int32_t>(group); v < vertices; v += SelfContact::kGroups) {
         const bool beside = self.beside_until[static_cast<size_t>(v)] >= state.frame;
-        if (!beside &&
+        if (!beside && scene.slit.side_of(v) == 0 &&
             (position(state.body, v) - rest_of(scene, state, v)).squaredNorm() < kMovedM * kMovedM)
             continue;
         const int32_t tet = surface_tet(scene, state, v);

@@ -107,6 +107,8 @@ std::string_view event_name(EventKind kind) noexcept {
             return "ring_gap";
         case EventKind::kLedgerWritten:
             return "ledger_written";
+        case EventKind::kSlitGap:
+            return "slit_gap";
         case EventKind::kNeedleTaken:
             return "needle_taken";
         case EventKind::kNeedleReleased:
@@ -157,7 +159,8 @@ bool only_in_recording(EventKind kind) noexcept {
     return kind == EventKind::kVaporised || kind == EventKind::kStateHash ||
            kind == EventKind::kStretchSum || kind == EventKind::kThermalSpread ||
            kind == EventKind::kTakenOut || kind == EventKind::kMarkedLost ||
-           kind == EventKind::kRingGap || kind == EventKind::kLedgerWritten;
+           kind == EventKind::kRingGap || kind == EventKind::kSlitGap ||
+           kind == EventKind::kLedgerWritten;
 }
 
 }  // namespace placode::sim

@@ -94,6 +94,10 @@ enum class EventKind : uint16_t {
                     ///< element -1, value = their number, value2 = ring_share()
     kLedgerWritten = 85,  ///< at the first frame: value = kLedgerVersion. What a ledger without it
                           ///< lacks is not known
+    kSlitGap = 86,  ///< after the last frame, one for each station along a slit: value = how far
+                    ///< its walls stand apart [m], the least over the depth, value2 = the same at
+                    ///< the surface, element = station, rest_position = its middle. The first has
+                    ///< element -1, value = number of stations
     // Needle and thread (sim/suture). Place: on the tissue at rest, or of the jaws for those of the
     // hold. hash = number of the channel, 1 for the first bite.
     kNeedleTaken = 90,  ///< jaws closed on the needle: value = where, from the point [m], value2 =

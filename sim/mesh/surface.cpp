@@ -82,10 +82,10 @@ SurfaceState::SurfaceState(const Surface& surface, const TetMesh& mesh, bool can
       triangles_(most_slots(surface, mesh, can_part)),
       slot_of_face_(4 * mesh.tets.size(), -1),
       face_of_slot_(triangles_.size(), -1) {
+    size_t next = 0;
     for (size_t face = 0; face < slot_of_face_.size(); ++face) {
-        if (surface.neighbours()[face / 4][face % 4] < 0) {
-            put(static_cast<int>(face), triangle_of(mesh, static_cast<int>(face)));
-        }
+        if (surface.neighbours()[face / 4][face % 4] < 0)
+            put(static_cast<int>(face), surface.rest_triangles()[next++]);
     }
 }
 

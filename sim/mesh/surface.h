@@ -21,7 +21,7 @@ struct SurfaceTriangle {
     std::array<int32_t, 3> vertex{};
     int32_t tet = -1;  ///< The living tet behind it.
     Tissue tissue = Tissue::kSkin;
-    uint8_t fresh = 0;  ///< 1 = uncovered by cutting or burning during the attempt.
+    uint8_t fresh = 0;  ///< 1 = uncovered by cutting or burning, or open from the start.
     std::array<uint8_t, 2> reserved{};
 };
 template <class Visit>
@@ -48,6 +48,8 @@ class Surface {
     }
     /// Boundary triangles at rest.
     [[nodiscard]] std::span<const SurfaceTriangle> rest_triangles() const noexcept { return rest_; }
+    /// A boundary triangle that is an open wound from the start is drawn as one.
+    void uncover(size_t triangle) { rest_.at(triangle).fresh = 1; }
 
  private:
     std::vector<std::array<int32_t, 4>> neighbours_;

@@ -16,6 +16,7 @@
 #include "sim/solver/soft_body.h"
 #include "sim/suture/suture.h"
 #include "sim/world/sac_state.h"
+#include "sim/world/slit.h"
 
 namespace placode::sim {
 
@@ -86,7 +87,8 @@ struct Scene {
     std::optional<HeatModel> heat;  ///< Absent = costs nothing.
     std::optional<Suture> suture;   ///< Needle and thread; absent = costs nothing.
     NeedleStart needle_start;
-    Sac sac;  ///< Of the cystic variant; absent otherwise.
+    Sac sac;    ///< Of the cystic variant; absent otherwise.
+    Slit slit;  ///< To be sewn up; absent in most scenes.
     ContactSettings contact;
     /// How far a vertex may slide to where blades pass, as a share of the way to its neighbours; 0
     /// = cuts follow the faces of the mesh, as in recordings of before.

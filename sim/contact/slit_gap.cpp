@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/contact/slit_gap.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "sim/contact/self_contact.h"
+#include "sim/core/tool_shape.h"
+#include "sim/world/scene.h"
+#include "sim/world/state.h"
+
+namespace placode::sim {
+namespace {
+
+// Walls that shift along each other this far still find their counterpart.
+constexpr int kStationsAround = 3;
+constexpr double kBesideWallM = 1e-4, kStationM = 5e-4;
+
+using Wall = Slit::Column Slit::Station::*;
+
+Vec3 rest_of(const Scene& scene, int32_t v) noexcept {
+    return scene.body.mesh().rest[static_cast<size_t>(v)];
+}
+
+Vec3 middle_at_rest(const Scene& scene, const Slit::Station& station) noexcept {
+    return 0.5 * (rest_of(scene, station.left[0]) + rest_of(scene, station.right[0]));
+}
+
+/// From a point to the nearest place of a wall around a station.
+class WayToWall {
+ public:
+    WayToWall(const Scene& scene, const State& state, Wall wall) noexcept
+        : slit_(scene.slit), state_(state), wall_(wall) {}
+
+    Vec3 from(const Vec3& p, int station) noexcept {
+        best2_ = std::numeric_limits<double>::max();
+        const int last = static_cast<int>(slit_.stations.size()) - 1;
+        const int first = std::max(0, station - kStationsAround);
+        for (int s = first; s < std::min(last, station + kStationsAround); ++s) {
+            for (int level = 0; level < slit_.layers; ++level) {
+                const Vec3 a = at(s, level), b = at(s + 1, level), c = at(s + 1, level + 1),
+                           d = at(s, level + 1);
+                look_at(p, {a, b, c});
+                look_at(p, {a, c, d});
+            }
+        }
+        return way_;
+    }
+
+ private:
+    [[nodiscard]] Vec3 at(int station, int level) const noexcept {
+        const Slit::Station& s = slit_.stations[static_cast<size_t>(station)];
+        return position(state_.body, (s.*wall_)[static_cast<size_t>(level)]);
+    }
+    void look_at(const Vec3& p, const Triangle& face) noexcept {
+        const Vec3 w = closest_on_triangle(p, face);
+        const Vec3 way = w.x() * face[0] + w.y() * face[1] + w.z() * face[2] - p;
+        if (way.squaredNorm() >= best2_) return;
+        best2_ = way.squaredNorm();
+        way_ = way;
+    }
+
+    const Slit& slit_;
+    const State& state_;
+    Wall wall_;
+    double best2_ = 0;
+    Vec3 way_ = Vec3::Zero();
+};
+
+}  // namespace
+
+double slit_gap(const Scene& scene, const State& state, int station, int level) noexcept {
+    assert(0 <= station && station < static_cast<int>(scene.slit.stations.size()));
+    assert(0 <= level && level < scene.slit.layers);
+    const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
+    const auto k = static_cast<size_t>(level);
+    const Vec3 across = rest_of(scene, s.right[k]) - rest_of(scene, s.left[k]);
+    const Vec3 from_left = WayToWall(scene, state, &Slit::Station::right)
+                               .from(position(state.body, s.left[k]), station);
+    const Vec3 from_right = WayToWall(scene, state, &Slit::Station::left)
+                                .from(position(state.body, s.right[k]), station);
+    // One that has passed the other wall by a little is not apart from it.
+    if (from_left.dot(across) <= 0 || from_right.dot(across) >= 0) return 0;
+    return std::max(0.0, std::min(from_left.norm(), from_right.norm()) - kTissueGapM);
+}
+
+double narrowest_gap(const Scene& scene, const State& state, int station) noexcept {
+    double least = std::numeric_limits<double>::max();
+    for (int level = 0; level < scene.slit.layers; ++level)
+        least = std::min(least, slit_gap(scene, state, station, level));
+    return least;
+}
+
+int nearest_station(const Scene& scene, const Vec2& place) noexcept {
+    int nearest = -1;
+    double least2 = std::numeric_limits<double>::max();
+    for (size_t i = 0; i < scene.slit.stations.size(); ++i) {
+        const Vec3 middle = middle_at_rest(scene, scene.slit.stations[i]);
+        const double away2 = (middle.head<2>() - place).squaredNorm();
+        if (away2 >= least2) continue;
+        least2 = away2;
+        nearest = static_cast<int>(i);
+    }
+    return nearest;
+}
+
+bool in_slit(const Scene& scene, const Vec2& place) noexcept {
+    const int nearest = nearest_station(scene, place);
+    if (nearest < 0) return false;
+    const Slit::Station& s = scene.slit.stations[static_cast<size_t>(nearest)];
+    const Vec2 left = rest_of(scene, s.left[0]).head<2>(),
+               right = rest_of(scene, s.right[0]).head<2>();
+    // Between two stations the walls stand a little farther apart than at the narrower one.
+    const double most = 0.5 * (right - left).norm() + kBesideWallM;
+    const Vec2 from_middle = place - 0.5 * (left + right), across = (right - left).normalized();
+    const double along = Vec2(-across.y(), across.x()).dot(from_middle);
+    return std::abs(across.dot(from_middle)) <= most && std::abs(along) <= most + kStationM;
+}
+
+std::vector<Event> slit_events(const Scene& scene, const State& state) {
+    std::vector<Event> events;
+    const auto stations = static_cast<int>(scene.slit.stations.size());
+    if (stations == 0) return events;
+    Event head;
+    head.kind = EventKind::kSlitGap;
+    head.value = static_cast<float>(stations);
+    events.push_back(head);
+    for (int i = 0; i < stations; ++i) {
+        Event event = head;
+        event.element = i;
+        event.value = static_cast<float>(narrowest_gap(scene, state, i));
+        event.value2 = static_cast<float>(slit_gap(scene, state, i, 0));
+        const Vec3 at = middle_at_rest(scene, scene.slit.stations[static_cast<size_t>(i)]);
+        for (int k = 0; k < 3; ++k)
+            event.rest_position_m[static_cast<size_t>(k)] = static_cast<float>(at[k]);
+        events.push_back(event);
+    }
+    return events;
+}
+
+}  // namespace placode::sim

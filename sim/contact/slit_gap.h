@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// How far the walls of a slit stand apart, true to some micrometres: what a suture is to close.
+
+#include <vector>
+
+#include "sim/core/event.h"
+#include "sim/core/geometry.h"
+
+namespace placode::sim {
+
+struct Scene;
+struct State;
+
+/// Distance between the walls at a station and level [m], less kTissueGapM; 0 where they touch.
+/// @pre 0 <= station < stations, 0 <= level < layers.
+[[nodiscard]] double slit_gap(const Scene& scene, const State& state, int station,
+                              int level) noexcept;
+
+/// The least over the depth: nothing passes a slit that is shut at any depth.
+[[nodiscard]] double narrowest_gap(const Scene& scene, const State& state, int station) noexcept;
+
+/// Station whose middle lies nearest to a place in the plane at rest [m]; -1 without a slit.
+[[nodiscard]] int nearest_station(const Scene& scene, const Vec2& place) noexcept;
+
+/// Whether a place in the plane at rest [m] lies in the slit or on its walls.
+[[nodiscard]] bool in_slit(const Scene& scene, const Vec2& place) noexcept;
+
+/// kSlitGap of the walls as they stand, without its time; nothing without a slit. Allocates.
+[[nodiscard]] std::vector<Event> slit_events(const Scene& scene, const State& state);
+
+}  // namespace placode::sim
