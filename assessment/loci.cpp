@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "assessment/bites.h"
+#include "assessment/closure.h"
 #include "assessment/motion_metrics.h"
 #include "assessment/tissue_metrics.h"
 #include "sim/core/practice.h"
@@ -314,6 +315,14 @@ std::optional<Locus> locate_suture(std::string_view metric, const sim::Recording
         return locate_first(recording, [&](const Event& e) {
             return e.kind == EventKind::kNeedleTaken && !std::exchange(first, false);
         });
+    }
+    if (metric.substr(0, 5) == "slit_") {
+        const Event* widest = widest_gap(recording);
+        if (widest == nullptr) return std::nullopt;
+        Locus locus;
+        locus.count = 1;
+        locus.at_m = sim::Vec2(widest->rest_position_m[0], widest->rest_position_m[1]);
+        return locus;
     }
     return std::nullopt;
 }

@@ -291,6 +291,19 @@ constexpr MetricDefinition kMetrics[] = {
      "Smallest angle between the needle's way and the surface at rest where it went in, over the "
      "bites of a row.",
      "after Kazemi et al. 2010"},
+    {"slit_shut_percent", "Shut part of the slit", "%", kHigherIsBetter,
+     "Share of a slit along which its edges stand at most 0.2 mm apart at the end, at the depth "
+     "where they are nearest.",
+     "Placode"},
+    {"slit_gap_mean_mm", "Gap of the slit, mean", "mm", kLowerIsBetter,
+     "How far the edges of a slit stand apart at the end, at the depth where they are nearest: "
+     "mean "
+     "along the slit.",
+     "Placode"},
+    {"slit_gap_widest_mm", "Gap of the slit, widest", "mm", kLowerIsBetter,
+     "How far the edges of a slit stand apart at the end, at the depth where they are nearest: "
+     "where it gapes most.",
+     "Placode"},
     {"needle_entries", "Entries of the needle", "", kLowerIsBetter,
      "Times that the needle's point opened a surface from outside.", "Placode"},
     {"needle_regrasps", "Needle taken again", "", kLowerIsBetter,

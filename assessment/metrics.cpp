@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "assessment/bites.h"
+#include "assessment/closure.h"
 #include "assessment/motion_detail.h"
 #include "assessment/motion_metrics.h"
 #include "assessment/practice.h"
@@ -65,6 +66,7 @@ void add_what_needs_no_track(const sim::Recording& recording, std::vector<Metric
     add_practice_metrics(recording, found);
     add_suture_metrics(recording, found);
     add_bite_metrics(recording, found);
+    add_closure_metrics(recording, found);
 }
 
 /// In the order of the definitions; what is not finite is not known.

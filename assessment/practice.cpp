@@ -179,6 +179,9 @@ bool PracticeTracker::did(const PracticeSight& sight) noexcept {
         case PracticeKind::kNeedleThrough:
             done = did_bite(sight, index);
             break;
+        case PracticeKind::kThreadDraw:
+            done = did_draw(sight.slit_gap_m);
+            break;
         case PracticeKind::kRelease:
             done = !sight.holds[i];
             break;
@@ -307,7 +310,8 @@ bool PracticeTracker::did_traction(const PracticeSight& sight) noexcept {
 /// Where the needle goes in and comes out; a needle that was drawn back may go in once more.
 bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
     const NeedleSight& now = sight.needle;
-    const bool in = now.entered > needle_.entered, out = now.left > needle_.left;
+    const bool in = now.entered > needle_.entered;
+    const bool out = now.left > needle_.left && !now.exit_in_slit;
     const bool taken = now.taken > needle_.taken;
     needle_ = now;
     const auto away = [&](const sim::Vec3& place, size_t mark) {
@@ -315,7 +319,7 @@ bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
     };
     const PracticeKind kind = step().kind;
     const bool bites = kind == PracticeKind::kNeedleIn || kind == PracticeKind::kNeedleOut;
-    if (in && bites)
+    if (in && bites && !now.exit_in_slit)
         emit(sim::EventKind::kBiteEntry, index_, away(now.entry_m, 0), tool, now.entry_m);
     if (out && kind == PracticeKind::kNeedleOut)
         emit(sim::EventKind::kBiteExit, index_, away(now.exit_m, 1), tool, now.exit_m);
@@ -327,6 +331,17 @@ bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
     const bool there =
         step().take_share == 0 || std::abs(now.held_share - step().take_share) <= kTakenWithin;
     return through || (kind == PracticeKind::kNeedleTake && taken && there);
+}
+
+/// Shut for a while: edges that only swing together come apart again.
+bool PracticeTracker::did_draw(double slit_gap_m) noexcept {
+    if (slit_gap_m < 0) return true;  // nothing to shut
+    amount_ = std::max(amount_, slit_gap_m);
+    const bool shut = slit_gap_m <= step().tolerance_m;
+    held_s_ = shut ? held_s_ + dt_ : 0;
+    const double way = amount_ - step().tolerance_m;
+    progress_ = shut ? 1 : std::clamp((amount_ - slit_gap_m) / way, 0.0, 1.0);
+    return shut && held_s_ >= step().hold_s;
 }
 
 void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& out) {

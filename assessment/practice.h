@@ -19,6 +19,7 @@ struct NeedleSight {
     int taken = 0, entered = 0, left = 0, through = 0;
     double held_share = 0;  ///< Where the jaws took it last, along its arc from the point.
     sim::Vec3 entry_m = sim::Vec3::Zero(), exit_m = sim::Vec3::Zero();  ///< The last, at rest.
+    bool exit_in_slit = false;  ///< It came out of a wall: the other one is still to be taken.
     std::array<sim::Vec3, 2> mark_m{sim::Vec3::Zero(),
                                     sim::Vec3::Zero()};  ///< Of the step, likewise.
 };
@@ -31,6 +32,7 @@ struct PracticeSight {
     std::array<double, sim::kMaxTools> pull_n{};
     std::array<bool, sim::kMaxTools> engaged{};
     NeedleSight needle{};
+    double slit_gap_m = -1;  ///< Between the step's marks; -1 where there is no slit.
 };
 
 /// The target of a step at rest [m], in the plane: where the step says, or on the clock of the
@@ -77,6 +79,7 @@ class PracticeTracker {
     [[nodiscard]] bool did_trace(const sim::ToolSample& tool, int index, double time_s) noexcept;
     [[nodiscard]] bool did_traction(const PracticeSight& sight) noexcept;
     [[nodiscard]] bool did_bite(const PracticeSight& sight, int tool) noexcept;
+    [[nodiscard]] bool did_draw(double slit_gap_m) noexcept;
     void close_bin(int tool, double time_s) noexcept;
     void close_traction(double time_s) noexcept;
 

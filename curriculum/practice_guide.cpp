@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "sim/contact/slit_gap.h"
+
 namespace placode::curriculum {
 
 namespace {
@@ -85,6 +87,7 @@ Vec3 place_of(const sim::ContourAnchor& anchor, const PlaceOf& place_of_vertex) 
 PracticeGuide::PracticeGuide(const std::vector<TaskStep>& steps, const sim::Scene& scene,
                              const sim::State& settled) {
     if (steps.empty()) return;
+    scene_ = &scene;
     if (scene.suture) needle_arc_m_ = scene.suture->needle().arc_m();
     std::vector<sim::PracticeStep> goals;
     for (const TaskStep& step : steps) goals.push_back(step.goal);
@@ -100,6 +103,9 @@ PracticeGuide::PracticeGuide(const std::vector<TaskStep>& steps, const sim::Scen
         marks.fill(Vec3::Zero());
         for (size_t t = 0; t < static_cast<size_t>(count); ++t)
             marks[t] = place_of(targets[t], at_rest);
+        station_.push_back(step.kind == sim::PracticeKind::kThreadDraw && count == 2
+                               ? sim::nearest_station(scene, 0.5 * (marks[0] + marks[1]).head<2>())
+                               : -1);
     }
     goal_.bites = tracker_->bites();
     goal_.count = tracker_->count();
@@ -137,6 +143,7 @@ void PracticeGuide::look_at_needle(const sim::State& state,
         needle.entry_m[k] = static_cast<double>(s.entry_m[static_cast<size_t>(k)]);
         needle.exit_m[k] = static_cast<double>(s.exit_m[static_cast<size_t>(k)]);
     }
+    needle.exit_in_slit = s.left > 0 && sim::in_slit(*scene_, needle.exit_m.head<2>());
     needle.mark_m = mark_m_[static_cast<size_t>(goal_.index)];
 }
 
@@ -146,13 +153,15 @@ std::span<const sim::Event> PracticeGuide::see(const sim::State& state,
     if (!tracker_) return {};
     look(state);
     assessment::PracticeSight sight{
-        sample, {goal_.target_m.data(), static_cast<size_t>(goal_.targets)}, {}, {}, {}, {}};
+        sample, {goal_.target_m.data(), static_cast<size_t>(goal_.targets)}, {}, {}, {}, {}, -1};
     for (size_t i = 0; i < inputs.size(); ++i) {
         sight.holds[i] = state.grasps[i].count > 0;
         sight.pull_n[i] = state.grasps[i].force_n.norm();
         sight.engaged[i] = inputs[i].engaged != 0;
     }
     look_at_needle(state, sight.needle);
+    const int station = tracker_->done() ? -1 : station_[static_cast<size_t>(goal_.index)];
+    if (station >= 0) sight.slit_gap_m = sim::narrowest_gap(*scene_, state, station);
     const std::span<const sim::Event> events = tracker_->see(sight);
     look(state);
     return events;

@@ -19,7 +19,7 @@ namespace placode::curriculum {
 class PracticeGuide {
  public:
     PracticeGuide() = default;  ///< Without steps it has nothing to do.
-    /// `settled` is the state in which the targets are looked for.
+    /// `settled` is the state in which the targets are looked for. Keeps a reference to the scene.
     PracticeGuide(const std::vector<TaskStep>& steps, const sim::Scene& scene,
                   const sim::State& settled);
 
@@ -42,6 +42,8 @@ class PracticeGuide {
     std::vector<int> target_count_;
     std::vector<std::array<sim::Vec3, 2>> mark_m_;  // the same at rest
     double needle_arc_m_ = 1;
+    const sim::Scene* scene_ = nullptr;
+    std::vector<int> station_;  // of a slit, between the marks of every step; -1 = none
     sim::PracticeGoal goal_;
 };
 

@@ -176,6 +176,17 @@ constexpr std::array<ByDevice, sim::kPracticeKinds> kHints{{
        "Trzymaj lewy przycisk i skręcaj gałkę, po okręgu igły."},
       {"Keep it closed and turn the handle, round the needle's own circle.",
        "Trzymaj zamknięty i obracaj uchwyt, po okręgu igły."}}},
+    // kThreadDraw
+    {{{"Hold the left button and draw back with the wheel, towards you; go slowly once it is taut.",
+       "Trzymaj lewy przycisk i ciągnij kółkiem do siebie; powoli, gdy nić się napnie."},
+      {"Hold X and draw back with R; with Ctrl once it is taut.",
+       "Trzymaj X i ciągnij klawiszem R; z Ctrl, gdy nić się napnie."},
+      {"Hold A and draw back with the left trigger; go slowly once it is taut.",
+       "Trzymaj A i ciągnij lewym spustem; powoli, gdy nić się napnie."},
+      {"Hold the left button and pull the cap towards you; go slowly once it is taut.",
+       "Trzymaj lewy przycisk i ciągnij gałkę do siebie; powoli, gdy nić się napnie."},
+      {"Keep it closed and draw the handle out; go slowly once you feel the thread.",
+       "Trzymaj zamknięty i wysuwaj uchwyt; powoli, gdy poczujesz nić."}}},
 }};
 
 // The scope has devices of its own.

@@ -37,7 +37,9 @@ Vec3 wire_place(const haptics::Perception& seen, double arc_m) {
 void needle_goal(const haptics::Perception& seen, size_t tool, ToolGoals& goals) {
     const sim::PracticeGoal& practice = seen.practice;
     const sim::PracticeKind kind = practice.step.kind;
-    if (!seen.needle || kind == sim::PracticeKind::kNeedleThrough) return;
+    if (!seen.needle || kind == sim::PracticeKind::kNeedleThrough ||
+        kind == sim::PracticeKind::kThreadDraw)
+        return;
     if (kind == sim::PracticeKind::kNeedleTake) {
         const double share = practice.step.take_share;
         goals.place_m[tool] =
@@ -60,7 +62,8 @@ void needle_goal(const haptics::Perception& seen, size_t tool, ToolGoals& goals)
 
 bool is_needle_step(sim::PracticeKind kind) {
     return kind == sim::PracticeKind::kNeedleIn || kind == sim::PracticeKind::kNeedleOut ||
-           kind == sim::PracticeKind::kNeedleTake || kind == sim::PracticeKind::kNeedleThrough;
+           kind == sim::PracticeKind::kNeedleTake || kind == sim::PracticeKind::kNeedleThrough ||
+           kind == sim::PracticeKind::kThreadDraw;
 }
 
 /// Of a task with steps: only the hands of the present one have a goal.

@@ -8,10 +8,10 @@
 namespace placode::reports {
 namespace {
 
-constexpr std::array kGroups{MetricGroup::kTime,    MetricGroup::kIncision,  MetricGroup::kPlacode,
-                             MetricGroup::kTissue,  MetricGroup::kResection, MetricGroup::kEnergy,
-                             MetricGroup::kForce,   MetricGroup::kMotion,    MetricGroup::kHands,
-                             MetricGroup::kPractice};
+constexpr std::array kGroups{MetricGroup::kTime,     MetricGroup::kIncision,  MetricGroup::kPlacode,
+                             MetricGroup::kTissue,   MetricGroup::kResection, MetricGroup::kEnergy,
+                             MetricGroup::kForce,    MetricGroup::kMotion,    MetricGroup::kHands,
+                             MetricGroup::kPractice, MetricGroup::kSuture};
 
 struct Rule {
     std::string_view beginning;
@@ -70,10 +70,11 @@ constexpr Rule kRules[]{
     {"target_", MetricGroup::kPractice},
     {"trace_", MetricGroup::kPractice},
     {"traction_held", MetricGroup::kPractice},
-    {"bite_", MetricGroup::kPractice},
-    {"bites_", MetricGroup::kPractice},
-    {"needle_", MetricGroup::kPractice},
-    {"thread_", MetricGroup::kPractice},
+    {"bite_", MetricGroup::kSuture},
+    {"slit_", MetricGroup::kSuture},
+    {"bites_", MetricGroup::kSuture},
+    {"needle_", MetricGroup::kSuture},
+    {"thread_", MetricGroup::kSuture},
 };
 
 bool contains(const std::vector<std::string>& list, std::string_view id) {
@@ -115,6 +116,8 @@ const char* group_title(MetricGroup group) noexcept {
             return "Both hands";
         case MetricGroup::kPractice:
             return "Steps of the exercise";
+        case MetricGroup::kSuture:
+            return "Needle and thread";
     }
     return "";
 }

@@ -21,7 +21,8 @@ enum class MetricGroup : uint8_t {
     kForce,
     kMotion,
     kHands,
-    kPractice
+    kPractice,
+    kSuture
 };
 
 /// English heading: "Time and view", "Incision", ...

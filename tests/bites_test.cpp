@@ -153,8 +153,10 @@ TEST(Bites, AReasonShowsTheWorstBite) {
 }
 
 /// The task itself: a further bite, done as badly as can be, never costs more than it earns.
-TEST(Bites, ABadBiteIsNeverWorseThanNone) {
-    const curriculum::Task task = curriculum::load_task("suture_run");
+class BitesOfTask : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(BitesOfTask, ABadBiteIsNeverWorseThanNone) {
+    const curriculum::Task task = curriculum::load_task(GetParam());
     double earned = 0, weights = 0, costs = 0;
     int bites = 0, last_bite = 0;
     for (const curriculum::TaskStep& step : task.steps) {
@@ -175,6 +177,7 @@ TEST(Bites, ABadBiteIsNeverWorseThanNone) {
     }
     EXPECT_LE(costs, earned / weights + 1e-9);
 }
+INSTANTIATE_TEST_SUITE_P(Rows, BitesOfTask, ::testing::Values("suture_run", "suture_slit"));
 
 }  // namespace THIS_TEST
 }  // namespace placode::assessment

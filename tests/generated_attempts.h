@@ -206,8 +206,19 @@ class AttemptMaker {
             put(recording, EventKind::kNeedleLeft, 3, 0.025, 0.0012, 0.006, 0.003);
             put(recording, sim::EventKind::kBiteExit, 3, 1, 0.0002, 0.006, 0.003);
         }
+        if (std::count(kinds.begin(), kinds.end(), sim::PracticeKind::kThreadDraw) > 0)
+            shut(recording, share);
         for (int bin = 0; bin < static_cast<int>(std::lround(share * sim::kTraceBins)); ++bin)
             put(recording, sim::EventKind::kTraced, 3 + 0.3 * bin, bin, 0.0001);
+    }
+
+    /// A slit of 20 stations, shut from one end on.
+    static void shut(sim::Recording& recording, double share) {
+        constexpr int kStations = 20;
+        for (int i = 0; i < kStations; ++i) {
+            const double gap_m = i < static_cast<int>(share * kStations + 1e-9) ? 0 : 0.00095;
+            put(recording, EventKind::kSlitGap, 30, gap_m, gap_m, kRowX, 0.0005 * i).element = i;
+        }
     }
 
     /// An event anywhere on the lesion and at any time.

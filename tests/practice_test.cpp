@@ -46,7 +46,7 @@ class Attempt {
     void see(int samples = 1) {
         for (int i = 0; i < samples; ++i) {
             sample_.time_s += 0.01;
-            PracticeSight sight{sample_, targets, holds, pull_n, {true, true}, needle};
+            PracticeSight sight{sample_, targets, holds, pull_n, {true, true}, needle, slit_gap_m};
             for (const sim::Event& e : tracker_.see(sight)) recording.events.push_back(e);
         }
     }
@@ -62,6 +62,7 @@ class Attempt {
     std::array<bool, sim::kMaxTools> holds{};
     std::array<double, sim::kMaxTools> pull_n{};
     NeedleSight needle;
+    double slit_gap_m = -1;
     sim::Recording recording;
 
  private:
@@ -215,6 +216,54 @@ TEST(Practice, ANeedlePushedThroughInOneGoEndsTheBite) {
     attempt.needle.through = 2;  // never let go
     attempt.see(2);
     EXPECT_TRUE(attempt.tracker().done());
+}
+
+TEST(Practice, APointThatComesOutWithinASlitGoesOnIntoTheOtherEdge) {
+    Attempt attempt({{.kind = PracticeKind::kNeedleIn}, {.kind = PracticeKind::kNeedleOut}});
+    attempt.see();
+    attempt.needle.entered = 1;
+    attempt.see();
+    attempt.needle.left = 1;
+    attempt.needle.exit_in_slit = true;
+    attempt.see(5);
+    EXPECT_EQ(attempt.tracker().index(), 1) << "half of the way";
+    attempt.needle.entered = 2;  // into the other wall: no second entry of the bite
+    attempt.see();
+    attempt.needle.left = 2;
+    attempt.needle.exit_in_slit = false;
+    attempt.see();
+    EXPECT_TRUE(attempt.tracker().done());
+    int entries = 0, exits = 0;
+    for (const sim::Event& e : attempt.recording.events) {
+        entries += e.kind == sim::EventKind::kBiteEntry ? 1 : 0;
+        exits += e.kind == sim::EventKind::kBiteExit ? 1 : 0;
+    }
+    EXPECT_EQ(entries, 1);
+    EXPECT_EQ(exits, 1);
+}
+
+TEST(Practice, ThreadIsDrawnUntilTheSlitStaysShut) {
+    Attempt attempt({{.kind = PracticeKind::kThreadDraw, .hold_s = 0.3, .tolerance_m = 0.0002}});
+    attempt.slit_gap_m = 0.001;
+    attempt.see(5);
+    EXPECT_EQ(attempt.tracker().progress(), 0);
+    attempt.slit_gap_m = 0.0006;
+    attempt.see();
+    EXPECT_NEAR(attempt.tracker().progress(), 0.5, 1e-9);
+    attempt.slit_gap_m = 0.0001;
+    attempt.see(20);
+    EXPECT_FALSE(attempt.tracker().done()) << "not for long enough";
+    attempt.slit_gap_m = 0.0003;
+    attempt.see();
+    attempt.slit_gap_m = 0.0002;
+    attempt.see(20);
+    EXPECT_FALSE(attempt.tracker().done()) << "it had come open in between";
+    attempt.see(12);
+    EXPECT_TRUE(attempt.tracker().done());
+
+    Attempt without({{.kind = PracticeKind::kThreadDraw}});
+    without.see();
+    EXPECT_TRUE(without.tracker().done()) << "no slit: nothing to wait for";
 }
 
 TEST(Practice, ABiteIsMeasuredFromItsMarksAndMayBeginAnew) {

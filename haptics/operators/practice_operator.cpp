@@ -324,6 +324,7 @@ void PracticeOperator::do_step(double dt_s) noexcept {
             case PracticeKind::kNeedleOut:
             case PracticeKind::kNeedleTake:
             case PracticeKind::kNeedleThrough:
+            case PracticeKind::kThreadDraw:
                 break;
             case PracticeKind::kWithdraw:
                 static_cast<void>(w.motion.glide(w.motion.home_m(), 0.02, dt_s));

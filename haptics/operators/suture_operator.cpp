@@ -20,12 +20,15 @@ constexpr double kToBiteShare = 0.72;   // of the arc: where it is held at the s
 constexpr double kFalseM = 0.002;       // way in, before a false start is drawn back
 constexpr double kHeldShare = 1.0 / 3;  // of the jaws behind their tips
 constexpr double kOpenRad = 0.5, kJawRadS = 1.5, kPatienceS = 20;
+constexpr double kDrawM_s = 0.015;  // of slack thread
+constexpr double kTautN = 0.02;     // from here on the thread pulls
 
 }  // namespace
 
 const SutureHabits& suture_habits(OperatorLevel level) noexcept {
-    static const std::array habits{SutureHabits{}, SutureHabits{5e-3, 4e-4, 0.06, 0, 2.6e-3},
-                                   SutureHabits{9e-3, 9e-4, 0.15, 1, 2.6e-3}};
+    static const std::array habits{SutureHabits{},
+                                   SutureHabits{5e-3, 4e-4, 0.06, 0, 2.6e-3, 2e-3, 0.25},
+                                   SutureHabits{9e-3, 9e-4, 0.15, 1, 2.6e-3, 4e-3, 0.35}};
     return habits[static_cast<size_t>(level)];
 }
 
@@ -95,7 +98,9 @@ void SutureOperator::drive(const Plane& p, double dt_s) noexcept {
         stage(Stage::kDrawBack);
         return;
     }
-    const bool came_out = seen_.exits > exits_;
+    // A point that comes out within a slit goes on into its other wall.
+    const bool came_out =
+        seen_.exits > exits_ && seen_.practice.step.kind != sim::PracticeKind::kNeedleOut;
     if (came_out && out_rad_ == 0) out_rad_ = point_rad_;
     const bool out = out_rad_ > 0 && point_rad_ > out_rad_ + habits_.out_m / radius_m_;
     // The jaws must not be pushed into the tissue.
@@ -161,6 +166,25 @@ void SutureOperator::pull(const Plane& p, double dt_s) noexcept {
 void SutureOperator::leave(double dt_s) noexcept {
     static_cast<void>(hand_.glide(hand_.tip_m() + Vec3(0, 0, 0.01 * dt_s), 0.02, dt_s));
     if (stage_s_ <= 0.8) return;
+    if (seen_.practice.step.kind == sim::PracticeKind::kThreadDraw)
+        stage(Stage::kDraw);
+    else
+        next_bite();
+}
+
+/// Back along the shaft, until the task says that the slit is shut.
+void SutureOperator::draw(const Plane& p, double dt_s) noexcept {
+    if (seen_.practice.step.kind != sim::PracticeKind::kThreadDraw) {
+        next_bite();
+        return;
+    }
+    const double pull_n = seen_.tools[tool_].force_n.norm();
+    if (pull_n > habits_.most_pull_n) return;
+    const double speed = pull_n > kTautN ? habits_.taut_m_s : kDrawM_s;
+    static_cast<void>(hand_.glide(hand_.tip_m() - speed * dt_s * p.shaft, 0.05, dt_s));
+}
+
+void SutureOperator::next_bite() noexcept {
     const bool another =
         seen_.practice.step.kind == sim::PracticeKind::kNeedleIn && seen_.needle_held;
     stage(another ? Stage::kLook : Stage::kDone);
@@ -172,11 +196,7 @@ void SutureOperator::leave(double dt_s) noexcept {
     out_rad_ = 0;
 }
 
-bool SutureOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
-    dt_s = std::clamp(dt_s, 0.0, 0.01);
-    time_s_ += dt_s;
-    stage_s_ += dt_s;
-    const Plane p = plane();
+void SutureOperator::go_on(const Plane& p, double dt_s) noexcept {
     const bool marks = seen_.practice.targets == 2;
     switch (stage_) {
         case Stage::kLook:
@@ -231,9 +251,23 @@ bool SutureOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
         case Stage::kLeave:
             leave(dt_s);
             break;
+        case Stage::kDraw:
+            draw(p, dt_s);
+            break;
         case Stage::kDone:
             break;
     }
+}
+
+bool SutureOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
+    dt_s = std::clamp(dt_s, 0.0, 0.01);
+    time_s_ += dt_s;
+    stage_s_ += dt_s;
+    const Plane p = plane();
+    // A thread that holds the needle back is not pulled out of the tissue on the way to a mark.
+    const bool held_back = (stage_ == Stage::kReach || stage_ == Stage::kLower) &&
+                           seen_.tools[tool_].force_n.norm() > habits_.most_pull_n;
+    if (!held_back) go_on(p, dt_s);
     if (stage_s_ > kPatienceS && stage_ != Stage::kDone) stage(Stage::kDone);
     hands[tool_] = hand_.action(time_s_);
     hands[tool_].across = across_;

@@ -5,7 +5,8 @@
 // circle until it comes out, let go, taken behind the point, drawn through. The plane of the needle
 // stands across the shaft, so that the driver is turned and carried round the circle's centre.
 // Where another bite follows, tissue takes the place of a second hand: the needle is left with its
-// end in it and taken again where it is held to bite, before all of it is drawn out.
+// end in it and taken again where it is held to bite, before all of it is drawn out. Where a slit
+// is to be shut, the thread is drawn back along the shaft, slowly once it pulls.
 
 #include "haptics/hand_motion.h"
 
@@ -18,6 +19,8 @@ struct SutureHabits {
     double push = 0;            ///< Share of the way that goes straight ahead instead of round.
     int false_starts = 0;       ///< Of a bite: goes in, draws back, goes in elsewhere.
     double out_m = 2.6e-3;      ///< Of the point, before it lets go.
+    double taut_m_s = 1.5e-3;   ///< Of the thread, once it pulls.
+    double most_pull_n = 0.2;   ///< Harder it does not pull.
 };
 [[nodiscard]] const SutureHabits& suture_habits(OperatorLevel level) noexcept;
 
@@ -42,6 +45,7 @@ class SutureOperator final : public ScriptedOperator {
         kClose,
         kPull,
         kLeave,
+        kDraw,
         kDone
     };
     /// The needle's plane as the shaft stands: `right` x `up` = along the shaft.
@@ -59,6 +63,9 @@ class SutureOperator final : public ScriptedOperator {
     void close(const Plane& plane, double dt_s) noexcept;
     void pull(const Plane& plane, double dt_s) noexcept;
     void leave(double dt_s) noexcept;
+    void draw(const Plane& plane, double dt_s) noexcept;
+    void next_bite() noexcept;
+    void go_on(const Plane& plane, double dt_s) noexcept;
     [[nodiscard]] double left_inside_m() const noexcept;
 
     const SutureHabits& habits_;

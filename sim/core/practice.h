@@ -26,11 +26,12 @@ enum class PracticeKind : uint8_t {
     kTraction,  ///< Both hands hold tissue and pull with `low_n` to `high_n` for `hold_s`.
     kWithdraw,  ///< Take the instrument `distance_m` away from the tissue.
     kNeedleIn,  ///< The needle's point goes in at the first mark; the second is where it comes out.
-    kNeedleOut,     ///< It comes out at the second mark.
-    kNeedleTake,    ///< Jaws take it again.
-    kNeedleThrough  ///< All of the needle is drawn through.
+    kNeedleOut,      ///< It comes out at the second mark.
+    kNeedleTake,     ///< Jaws take it again.
+    kNeedleThrough,  ///< All of the needle is drawn through.
+    kThreadDraw      ///< The thread is drawn until a slit is shut between the marks.
 };
-inline constexpr int kPracticeKinds = 15;
+inline constexpr int kPracticeKinds = 16;
 inline constexpr int kMaxPracticeSteps = 24;
 inline constexpr int kTraceBins = 72;  ///< Of the planned contour, by arc length.
 
@@ -45,7 +46,7 @@ struct PracticeStep {
     double outward_m = 0;      ///< Target this far outside the planned contour.
     bool placed = false;       ///< Targets at `place_m` instead.
     std::array<Vec2, 2> place_m{Vec2::Zero(), Vec2::Zero()};  ///< In the field's plane at rest [m].
-    double tolerance_m = 0.001;  ///< Distance from the target (or line) that still counts.
+    double tolerance_m = 0.001;  ///< Distance from target or line, or gap, that still counts.
     double take_share = 0;  ///< Needle taken about here along its arc, from the point; 0: anywhere.
     double low_n = 0.01, high_n = 0.1;  ///< Traction of each hand.
 };
@@ -71,6 +72,7 @@ struct PracticeGoal {
         case PracticeKind::kTraction:
         case PracticeKind::kNeedleIn:
         case PracticeKind::kNeedleOut:
+        case PracticeKind::kThreadDraw:
             return 2;
         default:
             return 0;

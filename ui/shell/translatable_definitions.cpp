@@ -214,6 +214,16 @@ namespace {
                       "Times that the thread cut through the edge of its channel."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
+        "Share of a slit along which its edges stand at most 0.2 mm apart at the end, "
+        "at the depth where they are nearest."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "How far the edges of a slit stand apart at the end, at the depth where they "
+                      "are nearest: mean along the slit."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "How far the edges of a slit stand apart at the end, at the depth where they "
+                      "are nearest: where it gapes most."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
         "Bites of a row that came out and through which all of the needle was drawn."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",

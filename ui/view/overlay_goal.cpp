@@ -89,12 +89,14 @@ void Overlay::goals() {
             break;
         }
         case PracticeKind::kNeedleTake:
-        case PracticeKind::kNeedleThrough: {
-            const bool take = goal.step.kind == PracticeKind::kNeedleTake;
+        case PracticeKind::kNeedleThrough:
+        case PracticeKind::kThreadDraw: {
+            const char* what = goal.step.kind == PracticeKind::kNeedleTake ? "take the needle"
+                               : goal.step.kind == PracticeKind::kNeedleThrough
+                                   ? "draw the needle through"
+                                   : "draw the thread until the edges meet";
             Vec2 px;
-            if (place_of(1000 * pose.p, px))
-                label(px + Vec2(0, 2.6 * unit_),
-                      say(take ? "take the needle" : "draw the needle through"), kAccent);
+            if (place_of(1000 * pose.p, px)) label(px + Vec2(0, 2.6 * unit_), say(what), kAccent);
             break;
         }
         default:

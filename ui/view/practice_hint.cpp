@@ -50,6 +50,8 @@ Symbols with_mouse(PracticeKind kind, bool scope) {
             return {key("Shift", true), move};
         case PracticeKind::kNeedleThrough:
             return {left, key("Shift", true), move};
+        case PracticeKind::kThreadDraw:
+            return {left, {Thing::kMouseWheel, Act::kOut}};
         case PracticeKind::kNeedleTake:
             return {{Thing::kMouseLeft, Act::kRelease}, move, left};
     }
@@ -93,6 +95,8 @@ Symbols with_keyboard(PracticeKind kind, bool scope) {
             return {key("Q"), key("E")};
         case PracticeKind::kNeedleThrough:
             return {key("X"), key("Q"), key("E")};
+        case PracticeKind::kThreadDraw:
+            return {key("X"), key("R")};
         case PracticeKind::kNeedleTake:
             return {key("X", false, Act::kRelease), key("X")};
     }
@@ -130,6 +134,8 @@ Symbols with_gamepad(PracticeKind kind) {
             return {{Thing::kStick, Act::kSideways, "R"}};
         case PracticeKind::kNeedleThrough:
             return {key("A"), {Thing::kStick, Act::kSideways, "R"}};
+        case PracticeKind::kThreadDraw:
+            return {key("A"), key("LT")};
         case PracticeKind::kNeedleTake:
             return {key("A", false, Act::kRelease), stick, key("A")};
     }
@@ -175,6 +181,8 @@ Symbols with_grip(PracticeKind kind, Thing grip, HintSymbol close) {
         }
         case PracticeKind::kNeedleThrough:
             return {close, {grip, Act::kTurn}};
+        case PracticeKind::kThreadDraw:
+            return {close, {grip, Act::kOut}};
     }
     return {};
 }

@@ -27,6 +27,7 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"needle driver", "imadło"},
     {"take the needle", "chwyć igłę"},
     {"draw the needle through", "przeciągnij igłę"},
+    {"draw the thread until the edges meet", "ciągnij nić, aż brzegi się zetkną"},
     {"needle in", "wkłucie"},
     {"needle out", "wykłucie"},
     {"Tab: back to the %1", "Tab: z powrotem %1"},

@@ -80,6 +80,8 @@ Text group_words(reports::MetricGroup group) {
             return say("Both hands");
         case reports::MetricGroup::kPractice:
             return say("Steps of the exercise");
+        case reports::MetricGroup::kSuture:
+            return say("Needle and thread");
     }
     return dash();
 }

@@ -185,6 +185,7 @@ constexpr Polish kPolish[] = {
     {"Motion", "Ruch"},
     {"Both hands", "Obie ręce"},
     {"Steps of the exercise", "Kroki ćwiczenia"},
+    {"Needle and thread", "Igła i nić"},
     {"Remarks", "Uwagi"},
     {"(a mark)", "(zaznaczenie)"},
     {"at %1", "w chwili %1"},

@@ -2396,6 +2396,18 @@
         <translation>Ukończone ściegi</translation>
     </message>
     <message>
+        <source>Shut part of the slit</source>
+        <translation>Zamknięta część rozcięcia</translation>
+    </message>
+    <message>
+        <source>Gap of the slit, mean</source>
+        <translation>Szczelina rozcięcia, średnia</translation>
+    </message>
+    <message>
+        <source>Gap of the slit, widest</source>
+        <translation>Szczelina rozcięcia, największa</translation>
+    </message>
+    <message>
         <source>Entry beside its mark, worst bite</source>
         <translation>Wkłucie obok znaku, najgorszy ścieg</translation>
     </message>
@@ -3312,6 +3324,18 @@
     <message>
         <source>Bites of a row that came out and through which all of the needle was drawn.</source>
         <translation>Ściegi szwu ciągłego, w których igła wyszła i przeszła cała na wylot.</translation>
+    </message>
+    <message>
+        <source>Share of a slit along which its edges stand at most 0.2 mm apart at the end, at the depth where they are nearest.</source>
+        <translation>Część długości rozcięcia, na której jego brzegi są na końcu oddalone najwyżej o 0,2 mm, na tej głębokości, gdzie są najbliżej.</translation>
+    </message>
+    <message>
+        <source>How far the edges of a slit stand apart at the end, at the depth where they are nearest: mean along the slit.</source>
+        <translation>Na ile brzegi rozcięcia są na końcu oddalone od siebie, na tej głębokości, gdzie są najbliżej: średnia wzdłuż rozcięcia.</translation>
+    </message>
+    <message>
+        <source>How far the edges of a slit stand apart at the end, at the depth where they are nearest: where it gapes most.</source>
+        <translation>Na ile brzegi rozcięcia są na końcu oddalone od siebie, na tej głębokości, gdzie są najbliżej: w najszerszym miejscu.</translation>
     </message>
     <message>
         <source>Largest distance of an entry from its mark, over the bites of a row that are done.</source>
