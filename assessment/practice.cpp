@@ -310,7 +310,7 @@ bool PracticeTracker::did_traction(const PracticeSight& sight) noexcept {
 /// Where the needle goes in and comes out; a needle that was drawn back may go in once more.
 bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
     const NeedleSight& now = sight.needle;
-    const bool in = now.entered > needle_.entered;
+    const bool in = now.entered > needle_.entered && !now.entry_in_slit;
     const bool out = now.left > needle_.left && !now.exit_in_slit;
     const bool taken = now.taken > needle_.taken;
     needle_ = now;
@@ -319,7 +319,7 @@ bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
     };
     const PracticeKind kind = step().kind;
     const bool bites = kind == PracticeKind::kNeedleIn || kind == PracticeKind::kNeedleOut;
-    if (in && bites && !now.exit_in_slit)
+    if (in && bites)
         emit(sim::EventKind::kBiteEntry, index_, away(now.entry_m, 0), tool, now.entry_m);
     if (out && kind == PracticeKind::kNeedleOut)
         emit(sim::EventKind::kBiteExit, index_, away(now.exit_m, 1), tool, now.exit_m);

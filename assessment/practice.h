@@ -19,7 +19,8 @@ struct NeedleSight {
     int taken = 0, entered = 0, left = 0, through = 0;
     double held_share = 0;  ///< Where the jaws took it last, along its arc from the point.
     sim::Vec3 entry_m = sim::Vec3::Zero(), exit_m = sim::Vec3::Zero();  ///< The last, at rest.
-    bool exit_in_slit = false;  ///< It came out of a wall: the other one is still to be taken.
+    /// It went into a wall of a slit, or came out of one: half of a bite.
+    bool entry_in_slit = false, exit_in_slit = false;
     std::array<sim::Vec3, 2> mark_m{sim::Vec3::Zero(),
                                     sim::Vec3::Zero()};  ///< Of the step, likewise.
 };

@@ -143,6 +143,7 @@ void PracticeGuide::look_at_needle(const sim::State& state,
         needle.entry_m[k] = static_cast<double>(s.entry_m[static_cast<size_t>(k)]);
         needle.exit_m[k] = static_cast<double>(s.exit_m[static_cast<size_t>(k)]);
     }
+    needle.entry_in_slit = s.entered > 0 && sim::in_slit(*scene_, needle.entry_m.head<2>());
     needle.exit_in_slit = s.left > 0 && sim::in_slit(*scene_, needle.exit_m.head<2>());
     needle.mark_m = mark_m_[static_cast<size_t>(goal_.index)];
 }

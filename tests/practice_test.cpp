@@ -228,6 +228,7 @@ TEST(Practice, APointThatComesOutWithinASlitGoesOnIntoTheOtherEdge) {
     attempt.see(5);
     EXPECT_EQ(attempt.tracker().index(), 1) << "half of the way";
     attempt.needle.entered = 2;  // into the other wall: no second entry of the bite
+    attempt.needle.entry_in_slit = true;
     attempt.see();
     attempt.needle.left = 2;
     attempt.needle.exit_in_slit = false;
@@ -240,6 +241,27 @@ TEST(Practice, APointThatComesOutWithinASlitGoesOnIntoTheOtherEdge) {
     }
     EXPECT_EQ(entries, 1);
     EXPECT_EQ(exits, 1);
+}
+
+TEST(Practice, WhoComesOutOfASlitAndBeginsAnewIsMeasuredAnew) {
+    Attempt attempt({{.kind = PracticeKind::kNeedleIn}, {.kind = PracticeKind::kNeedleOut}});
+    attempt.needle.entered = 1;
+    attempt.needle.entry_in_slit = true;
+    attempt.see();
+    EXPECT_EQ(attempt.tracker().index(), 0) << "into a wall from within the slit";
+    attempt.needle.entered = 2;
+    attempt.needle.entry_in_slit = false;
+    attempt.see();
+    attempt.needle.left = 1;
+    attempt.needle.exit_in_slit = true;
+    attempt.see();
+    attempt.needle.entered = 3;  // drawn back, and in again 2 mm beside the mark
+    attempt.needle.entry_m = Vec3(0.002, 0, 0);
+    attempt.see();
+    double offset_m = 0;
+    for (const sim::Event& e : attempt.recording.events)
+        if (e.kind == sim::EventKind::kBiteEntry) offset_m = static_cast<double>(e.value2);
+    EXPECT_NEAR(offset_m, 0.002, 1e-6);
 }
 
 TEST(Practice, ThreadIsDrawnUntilTheSlitStaysShut) {
