@@ -73,6 +73,10 @@ double area_of(const std::vector<Vec2>& closed) {
 }
 
 void open_slit(const OperativeFieldSpec& spec, const SlitOutline& outline, FieldMesh& field) {
+    if (outline.empty()) {
+        field.open.assign(field.plane.triangles.size(), 0);
+        return;
+    }
     double area = 0;
     for (const auto& t : field.plane.triangles) {
         const std::vector<Vec2> corners{field.plane.points[t[0]], field.plane.points[t[1]],
@@ -81,7 +85,6 @@ void open_slit(const OperativeFieldSpec& spec, const SlitOutline& outline, Field
         field.open.push_back(open ? 1 : 0);
         if (open) area += area_of(corners);
     }
-    if (outline.empty()) return;
     // Equal where no triangle lies across a wall.
     const double wanted = area_of(outline.closed());
     if (std::abs(area - wanted) > 1e-6 * wanted)
