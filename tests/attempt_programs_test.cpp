@@ -217,4 +217,43 @@ TEST_F(Programs, ARecordingBecomesAnAttemptOfAPerson) {
     EXPECT_EQ(ctl("import b.placode --user nobody").status, 2);
 }
 
+TEST_F(Programs, PicturesOfAnAttemptAreTimedAtEveryQuality) {
+    const std::string recording = " --recording a.placode";
+    ASSERT_EQ(run("placode-sim",
+                  "--task touch_targets --device script:expert --headless --fast --duration 2"
+                  " --record a.placode")
+                  .status,
+              0);
+    const Outcome done = run("placodectl",
+                             "--json bench picture --size 96x64 --pictures 10 --out "
+                             "times.json --save shots" +
+                                 recording);
+    ASSERT_EQ(done.status, 0) << done.err;
+    const auto json = nlohmann::json::parse(done.out);
+    EXPECT_EQ(json, nlohmann::json::parse(read_text(file("times.json"))));
+    EXPECT_DOUBLE_EQ(json.at("from_s").get<double>(), 1) << "the middle of the attempt";
+    EXPECT_FALSE(json.at("renderer").get<std::string>().empty());
+    const auto& rows = json.at("rows");
+    ASSERT_GE(rows.size(), 5U);
+    EXPECT_TRUE(rows.front().at("shadows").get<bool>()) << "the richest comes first";
+    EXPECT_TRUE(rows.back().at("plain").get<bool>());
+    for (const auto& row : rows) {
+        EXPECT_EQ(row.at("width"), 96);
+        EXPECT_GE(row.at("pictures").get<int>(), 10);
+        EXPECT_GT(row.at("median_ms").get<double>(), 0);
+        EXPECT_GE(row.at("p99_ms").get<double>(), row.at("median_ms").get<double>());
+    }
+    const auto shots = std::distance(fs::directory_iterator(file("shots")), {});
+    EXPECT_EQ(static_cast<size_t>(shots), rows.size()) << "one for each quality";
+    const std::pair<const char*, const char*> bad[]{
+        {" --size 96", "WxH"},         {" --size 9x9", "64"},
+        {" --size 96x64x3", "WxH"},    {" --pictures 3", "10 to 10000"},
+        {" --seconds 0", "--seconds"}, {" --from 99", "ends at 2.0 s"}};
+    for (const auto& [argument, reason] : bad) {
+        const Outcome refused = run("placodectl", "bench picture" + recording + argument);
+        EXPECT_EQ(refused.status, 2) << argument;
+        EXPECT_THAT(refused.err, HasSubstr(reason)) << argument;
+    }
+}
+
 }  // namespace THIS_TEST

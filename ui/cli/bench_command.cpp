@@ -127,6 +127,7 @@ void add_bench_commands(CLI::App& app, Context& context) {
     add_contact_bench_command(*bench, context);
     add_scaling_command(*bench, context);
     add_cuts_command(*bench, context);
+    add_picture_bench_command(*bench, context);
     add_stability_command(*bench, context);
     add_haptics_bench_command(*bench, context);
     add_store_bench_command(*bench, context);

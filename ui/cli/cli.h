@@ -57,6 +57,7 @@ void add_bench_commands(CLI::App& app, Context& context);
 void add_contact_bench_command(CLI::App& bench, Context& context);
 void add_scaling_command(CLI::App& bench, Context& context);
 void add_cuts_command(CLI::App& bench, Context& context);
+void add_picture_bench_command(CLI::App& bench, Context& context);
 void add_stability_command(CLI::App& bench, Context& context);
 void add_store_bench_command(CLI::App& bench, Context& context);
 void add_lti_commands(CLI::App& app, Context& context);

@@ -276,6 +276,7 @@ bool FetoscopeView::enrich() {
     return true;
 }
 bool FetoscopeView::software() const { return impl_->software; }
+const std::string& FetoscopeView::renderer() const { return impl_->times.renderer; }
 void FetoscopeView::poll(WindowInput& input) { impl_->context->poll(input); }
 bool FetoscopeView::close_requested() const { return impl_->context->close_requested(); }
 WindowEvents FetoscopeView::events() { return impl_->context->events(); }

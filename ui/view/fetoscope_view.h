@@ -46,6 +46,8 @@ class FetoscopeView {
     [[nodiscard]] const Lens& lens() const;
     /// True when the processor draws: leave some of it to the physics.
     [[nodiscard]] bool software() const;
+    /// What OpenGL calls what draws.
+    [[nodiscard]] const std::string& renderer() const;
     /// One step simpler (ui/view/picture_quality.h), and it stays so until enrich(). False when it
     /// is as simple as it gets.
     bool simplify();

@@ -25,10 +25,10 @@ class GlContext {
     virtual ~GlContext() = default;
     [[nodiscard]] virtual int width() const = 0;   ///< Of the framebuffer [px].
     [[nodiscard]] virtual int height() const = 0;  ///< Of the framebuffer [px].
-    /// Several pictures off-screen: what is drawn next, on this thread, goes into this one. Throws
-    /// ViewError, e.g. while another thread holds it.
     /// Of the window, as the desktop measures it; of the framebuffer where there is no window.
     [[nodiscard]] virtual std::pair<int, int> window_size() const { return {width(), height()}; }
+    /// Several pictures off-screen: what is drawn next, on this thread, goes into this one. Throws
+    /// ViewError, e.g. while another thread holds it.
     virtual void make_current() {}
     /// Another thread may take it.
     virtual void let_go() noexcept {}
@@ -46,7 +46,8 @@ class GlContext {
 
 /// GLFW window with an OpenGL 3.3 core context, current on this thread. Throws ViewError.
 [[nodiscard]] std::unique_ptr<GlContext> open_window(const ContextSettings& settings);
-/// EGL without a surface: works with no display at all. Throws ViewError.
+/// EGL without a surface: works with no display at all. Where EGL offers no surfaceless display,
+/// as with some drivers of graphics cards, the first card that draws. Throws ViewError.
 [[nodiscard]] std::unique_ptr<GlContext> open_offscreen(const ContextSettings& settings);
 
 }  // namespace placode::view

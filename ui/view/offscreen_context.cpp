@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// EGL on Mesa's surfaceless platform: no X, no Wayland, no window.
+// EGL on Mesa's surfaceless platform, else on a graphics card by itself: no X, no Wayland, no
+// window.
 
 #include <epoxy/egl.h>
+
+#include <algorithm>
+#include <array>
 
 #include "ui/view/gl_context.h"
 #include "ui/view/gl_program.h"
@@ -20,12 +24,10 @@ class OffscreenContext final : public GlContext {
         // Asked for before it is called: epoxy ends the program for a function that is not there.
         if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base"))
             fail("EGL finds no driver");
-        display_ =
-            eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-        if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) {
-            display_ = EGL_NO_DISPLAY;
-            fail("EGL offers no surfaceless display");
-        }
+        if (!opened(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY,
+                                             nullptr)) &&
+            !open_card())
+            fail("EGL offers no surfaceless display and no graphics card");
         if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) fail("EGL offers no desktop OpenGL");
         const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                                  EGL_OPENGL_BIT, EGL_NONE};
@@ -65,6 +67,26 @@ class OffscreenContext final : public GlContext {
     }
 
  private:
+    bool opened(EGLDisplay display) {
+        if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE)
+            return false;
+        display_ = display;
+        return true;
+    }
+    /// The first card whose driver answers.
+    bool open_card() {
+        if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") ||
+            !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device"))
+            return false;
+        std::array<EGLDeviceEXT, 16> cards{};
+        EGLint count = 0;
+        if (eglQueryDevicesEXT(static_cast<EGLint>(cards.size()), cards.data(), &count) ==
+            EGL_FALSE)
+            return false;
+        return std::any_of(cards.begin(), cards.begin() + count, [&](EGLDeviceEXT card) {
+            return opened(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, card, nullptr));
+        });
+    }
     void release() {
         if (display_ == EGL_NO_DISPLAY) return;
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
