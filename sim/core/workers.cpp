@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "sim/core/team_trial.h"
+
 #if defined(__x86_64__) || defined(__i386__)
 #include <immintrin.h>
 #endif
@@ -88,6 +90,11 @@ struct Workers::Impl {
     Clock::time_point alone_until{};
     Clock::duration alone = kAloneAtFirst;
     std::atomic<int64_t> stalls{0};
+    // Caller only: what frames cost either way.
+    TeamTrial trial;
+    Clock::time_point frame_start{};
+    bool shared = false;   // the frame had jobs to share
+    bool stalled = false;  // and a part of it was done without the team for want of cores
 
     /// Takes and does one job of run `number`. False when there is none left.
     bool work(uint32_t number, bool from_front) noexcept {
@@ -119,6 +126,15 @@ struct Workers::Impl {
 
     [[nodiscard]] bool stays_away() const noexcept {
         return adaptive && alone_until != Clock::time_point{} && Clock::now() < alone_until;
+    }
+
+    /// Whether the caller does a run by itself; notes what the frame's cost then means.
+    bool does_alone() noexcept {
+        if (!adaptive) return false;
+        shared = true;
+        const bool away = stays_away();
+        stalled = stalled || away;
+        return away || trial.alone();
     }
 
     /// Waits for the jobs that others have begun.
@@ -156,10 +172,23 @@ Workers::~Workers() {
 
 int Workers::threads() const noexcept { return impl_->threads; }
 int64_t Workers::stalls() const noexcept { return impl_->stalls.load(std::memory_order_relaxed); }
-bool Workers::alone() const noexcept { return impl_->threads == 1 || impl_->stays_away(); }
+bool Workers::alone() const noexcept {
+    return impl_->threads == 1 || impl_->stays_away() || (impl_->adaptive && impl_->trial.alone());
+}
+
+Workers::Frame::Frame(Workers& workers) noexcept : workers_(workers) {
+    Impl& team = *workers_.impl_;
+    team.shared = team.stalled = false;
+    team.frame_start = Clock::now();
+}
+
+Workers::Frame::~Frame() {
+    Impl& team = *workers_.impl_;
+    if (team.shared && !team.stalled) team.trial.done(Clock::now() - team.frame_start);
+}
 
 void Workers::run(int jobs, Body body, void* context) noexcept {
-    if (jobs <= 1 || alone()) {
+    if (jobs <= 1 || impl_->threads == 1 || impl_->does_alone()) {
         for (int job = 0; job < jobs; ++job) body(context, job);
         return;
     }

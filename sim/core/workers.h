@@ -5,7 +5,8 @@
 // so that the same input gives the same bits whoever does them. The caller takes jobs from the
 // front, the others from the back, and the caller never waits for a thread that has not begun: on a
 // busy machine, where a thread may be without a core for a whole time slice, it does the work
-// alone. Waiting spins briefly and then sleeps.
+// alone. Waiting spins briefly and then sleeps. Whether the team pays at all is tried frame by
+// frame (team_trial.h).
 
 #include <cstdint>
 #include <memory>
@@ -15,7 +16,8 @@ namespace placode::sim {
 class Workers {
  public:
     enum class Team : uint8_t {
-        kAdaptive,  ///< The caller works alone for a while after a stall.
+        kAdaptive,  ///< The caller works alone for a while after a stall, and where that is
+                    ///< cheaper.
         kFixed,     ///< Always offers jobs to all threads; for tests and measurements.
     };
 
@@ -24,6 +26,18 @@ class Workers {
     ~Workers();
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
+
+    /// One frame: as long as it lives its cost is measured, for the choice between team and caller.
+    class Frame {
+     public:
+        explicit Frame(Workers& workers) noexcept;
+        ~Frame();
+        Frame(const Frame&) = delete;
+        Frame& operator=(const Frame&) = delete;
+
+     private:
+        Workers& workers_;
+    };
 
     [[nodiscard]] int threads() const noexcept;
     /// How often a thread had lost its core in the middle of a job so far.

@@ -250,6 +250,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     assert(inputs.size() == scene.tools.size() && feedback.size() == scene.tools.size());
     StepReport report;
     CostClock costs(report);
+    const Workers::Frame measured(*state.workers);
     const double frame_s = scene.body.spec().solver.frame_s;
     state.substeps = std::clamp(state.substeps, 1, 64);
     ++state.frame;
