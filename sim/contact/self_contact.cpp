@@ -49,6 +49,40 @@ int32_t surface_tet(const Scene& scene, const State& state, int32_t v) noexcept 
     return -1;
 }
 
+/// A group's pairs as they were when it was looked up last, by rising vertices.
+class LastPairs {
+ public:
+    LastPairs(const std::vector<TissuePair>& pairs, int32_t count) noexcept : count_(count) {
+        std::copy_n(pairs.begin(), count, pairs_.begin());
+    }
+    /// Of `v`, null = none. Asked with rising `v`.
+    [[nodiscard]] const TissuePair* of(int32_t v) noexcept {
+        while (next_ < count_ && pairs_[static_cast<size_t>(next_)].vertex < v) ++next_;
+        if (next_ == count_ || pairs_[static_cast<size_t>(next_)].vertex != v) return nullptr;
+        return &pairs_[static_cast<size_t>(next_)];
+    }
+
+ private:
+    std::array<TissuePair, kMostPairs> pairs_;
+    int32_t count_ = 0, next_ = 0;
+};
+
+/// Corners of a pair's face.
+std::array<int32_t, 3> face_of(const Scene& scene, const State& state,
+                               const TissuePair& pair) noexcept {
+    const auto& c = corners(scene.body, state.body, pair.tet);
+    std::array<int32_t, 3> face{};
+    for (size_t k = 0; k < 3; ++k)
+        face[k] = c[static_cast<size_t>(kTetFaces[static_cast<size_t>(pair.face)][k])];
+    return face;
+}
+
+/// False where the tissue has been cut since.
+bool is_there(const State& state, const TissuePair& pair) noexcept {
+    return state.body.tet_alive[static_cast<size_t>(pair.tet)] &&
+           state.surface.on_surface(pair.tet, pair.face);
+}
+
 /// The nearest face of other tissue within reach; vertex -1 when there is none.
 class NearestFace {
  public:
@@ -60,6 +94,17 @@ class NearestFace {
           side_(scene.slit.side_of(v)),
           at_(position(state.body, v)),
           rest_(rest_of(scene, state, v)) {}
+
+    /// The walls of a slit face each other for a whole attempt, and what is farther off than the
+    /// face of last time is no nearest one: most of the tree is left out.
+    void look_no_farther_than(const TissuePair& before) noexcept {
+        if (side_ == 0 || !is_there(state_, before)) return;
+        const std::array<int32_t, 3> face = face_of(scene_, state_, before);
+        if (own_surroundings(face, before.tet)) return;
+        // More than rounding, so that it is found again.
+        constexpr double kRounding = 1 + 1e-9;
+        best2_ = std::min(best2_, kRounding * squared_distance_to(corners_of(face)));
+    }
 
     TissuePair find() noexcept {
         state_.surface.tree().walk(
@@ -75,26 +120,16 @@ class NearestFace {
  private:
     void look_at(const SurfaceTriangle& face) noexcept {
         Triangle x;
-        Vec3 rest_centre = Vec3::Zero();
-        int own_side = 0, other_side = 0;  // corners of the face on either wall of a slit
         bool moves = state_.body.x[static_cast<size_t>(vertex_)].w != 0;
         for (int k = 0; k < 3; ++k) {
             const int32_t v = face.vertex[static_cast<size_t>(k)];
             if (v == vertex_) return;
             x[static_cast<size_t>(k)] = position(state_.body, v);
-            rest_centre += rest_of(scene_, state_, v) / 3;
-            const int along = side_ * scene_.slit.side_of(v);
-            own_side += along > 0 ? 1 : 0;
-            other_side += along < 0 ? 1 : 0;
             moves = moves || state_.body.x[static_cast<size_t>(v)].w != 0;
         }
-        if (!moves) return;
-        const bool same = state_.pieces.of[static_cast<size_t>(face.tet)] == piece_;
-        const bool opposite = other_side > 0 && own_side == 0;
-        if (same && !opposite && (rest_centre - rest_).squaredNorm() < kApartAtRest * kApartAtRest)
-            return;
-        const Vec3 w = closest_on_triangle(at_, x);
-        const double d2 = (at_ - w.x() * x[0] - w.y() * x[1] - w.z() * x[2]).squaredNorm();
+        // What costs least is asked first: most faces are farther off than the best so far.
+        if (!moves || beyond_best(x) || own_surroundings(face.vertex, face.tet)) return;
+        const double d2 = squared_distance_to(x);
         if (d2 >= best2_) return;
         best2_ = d2;
         found_ = {vertex_, face.tet,
@@ -102,6 +137,43 @@ class NearestFace {
         for (const int32_t v : face.vertex) {
             state_.self_contact.beside_until[static_cast<size_t>(v)] = state_.frame + kBesideFrames;
         }
+    }
+
+    [[nodiscard]] Triangle corners_of(const std::array<int32_t, 3>& face) const noexcept {
+        return {position(state_.body, face[0]), position(state_.body, face[1]),
+                position(state_.body, face[2])};
+    }
+
+    [[nodiscard]] double squared_distance_to(const Triangle& x) const noexcept {
+        const Vec3 w = closest_on_triangle(at_, x);
+        return (at_ - w.x() * x[0] - w.y() * x[1] - w.z() * x[2]).squaredNorm();
+    }
+
+    /// By the box around a triangle.
+    [[nodiscard]] bool beyond_best(const Triangle& x) const noexcept {
+        const Vec3 low = x[0].cwiseMin(x[1]).cwiseMin(x[2]),
+                   high = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
+        return (low - at_).cwiseMax(at_ - high).cwiseMax(0.0).squaredNorm() >= best2_;
+    }
+
+    /// A face of the same piece that was near at rest; the walls of a slit are other tissue to each
+    /// other.
+    [[nodiscard]] bool own_surroundings(const std::array<int32_t, 3>& face,
+                                        int32_t tet) const noexcept {
+        if (state_.pieces.of[static_cast<size_t>(tet)] != piece_) return false;
+        if (side_ != 0) {
+            int own_side = 0, other_side = 0;  // corners on either wall
+            for (const int32_t v : face) {
+                const int along = side_ * scene_.slit.side_of(v);
+                own_side += along > 0 ? 1 : 0;
+                other_side += along < 0 ? 1 : 0;
+            }
+            if (other_side > 0 && own_side == 0) return false;
+        }
+        Vec3 three_centres = Vec3::Zero();
+        for (const int32_t v : face) three_centres += rest_of(scene_, state_, v);
+        constexpr double kThreeApart = 3 * kApartAtRest;
+        return (three_centres - 3 * rest_).squaredNorm() < kThreeApart * kThreeApart;
     }
 
     const Scene& scene_;
@@ -120,12 +192,11 @@ bool touches(const Scene& scene, const State& state, const TissuePair& pair,
     const auto start = [&](int32_t v) {
         return to_vec(state.body.x_start[static_cast<size_t>(v)]);
     };
-    const auto& c = corners(scene.body, state.body, pair.tet);
+    const std::array<int32_t, 3> face = face_of(scene, state, pair);
     Triangle x;
     for (size_t k = 0; k < 3; ++k) {
-        const int corner = kTetFaces[static_cast<size_t>(pair.face)][k];
-        out.vertex[k + 1] = c[static_cast<size_t>(corner)];
-        x[k] = start(out.vertex[k + 1]);
+        out.vertex[k + 1] = face[k];
+        x[k] = start(face[k]);
     }
     const Vec3 at = start(pair.vertex), w = closest_on_triangle(at, x);
     const Vec3 way = at - w.x() * x[0] - w.y() * x[1] - w.z() * x[2];
@@ -156,6 +227,7 @@ void collect_tissue_pairs(const Scene& scene, State& state) noexcept {
     if (!self.enabled()) return;
     const auto group = static_cast<size_t>(state.frame % SelfContact::kGroups);
     int32_t& count = self.count[group];
+    LastPairs last(self.pairs[group], count);
     count = 0;
     const int32_t vertices =
         state.body.topology ? state.body.topology->vertices : scene.body.vertex_count();
@@ -166,7 +238,9 @@ void collect_tissue_pairs(const Scene& scene, State& state) noexcept {
             continue;
         const int32_t tet = surface_tet(scene, state, v);
         if (tet < 0) continue;
-        const TissuePair pair = NearestFace(scene, state, v, tet).find();
+        NearestFace nearest(scene, state, v, tet);
+        if (const TissuePair* before = last.of(v)) nearest.look_no_farther_than(*before);
+        const TissuePair pair = nearest.find();
         if (pair.vertex < 0) continue;
         if (count == kMostPairs) {
             state.flags |= kContactsDropped;
@@ -181,9 +255,7 @@ bool touch_tissue(const Scene& scene, State& state) noexcept {
     for (size_t group = 0; group < self.pairs.size(); ++group) {
         for (int32_t i = 0; i < self.count[group]; ++i) {
             const TissuePair& pair = self.pairs[group][static_cast<size_t>(i)];
-            if (!state.body.tet_alive[static_cast<size_t>(pair.tet)] ||
-                !state.surface.on_surface(pair.tet, pair.face))
-                continue;  // cut since it was found
+            if (!is_there(state, pair)) continue;
             Contact contact;
             if (touches(scene, state, pair, contact) && !add_tissue_contact(state, contact))
                 return false;
