@@ -297,8 +297,7 @@ constexpr MetricDefinition kMetrics[] = {
      "Placode"},
     {"slit_gap_mean_mm", "Gap of the slit, mean", "mm", kLowerIsBetter,
      "How far the edges of a slit stand apart at the end, at the depth where they are nearest: "
-     "mean "
-     "along the slit.",
+     "mean along the slit.",
      "Placode"},
     {"slit_gap_widest_mm", "Gap of the slit, widest", "mm", kLowerIsBetter,
      "How far the edges of a slit stand apart at the end, at the depth where they are nearest: "

@@ -24,12 +24,6 @@ double smoothstep(double low, double high, double x) {
 
 double square(double x) { return x * x; }
 
-double squared_distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-    const Vec2 ab = b - a, ap = p - a;
-    const double t = std::clamp(ap.dot(ab) / ab.squaredNorm(), 0.0, 1.0);
-    return (ap - t * ab).squaredNorm();
-}
-
 // Mixes lattice coordinates and seed to [-1, 1].
 double lattice_value(int64_t i, int64_t j, uint64_t seed) {
     const uint64_t h = mixed_bits(seed + kGoldenStep * static_cast<uint64_t>(i) +
@@ -64,6 +58,12 @@ double uniform(std::mt19937_64& random, double low, double high) {
 }
 
 }  // namespace
+
+double squared_distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+    const Vec2 ab = b - a, ap = p - a;
+    const double t = std::clamp(ap.dot(ab) / ab.squaredNorm(), 0.0, 1.0);
+    return (ap - t * ab).squaredNorm();
+}
 
 Outline::Outline(const Vec2& centre, double a_m, double b_m, const std::array<double, 3>& amplitude,
                  const std::array<double, 3>& phase)

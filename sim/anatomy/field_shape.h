@@ -17,6 +17,8 @@ inline constexpr int kFieldLayers = 4;
 /// Throws MeshError naming field, value and allowed range.
 void check_field_spec(const OperativeFieldSpec& spec);
 
+[[nodiscard]] double squared_distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b);
+
 /// Signed distance to a closed outline that is star-shaped around `centre` (negative inside).
 class Outline {
  public:

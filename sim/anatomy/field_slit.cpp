@@ -18,12 +18,6 @@ constexpr int kArcPoints = 2000;  // of half the ellipse, from which stations ar
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-    const Vec2 along = b - a;
-    const double share = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    return (p - a - share * along).norm();
-}
-
 void check_place(const OperativeFieldSpec& spec, const FieldShape& shape, const Vec2& p) {
     const auto refuse = [&](const std::string& what, double found, double allowed) {
         throw MeshError("operative field '" + spec.id + "': slit: " + what + " is " +
@@ -48,13 +42,12 @@ std::vector<Vec2> SlitOutline::closed() const {
 }
 
 bool SlitOutline::contains(const Vec2& p) const {
-    if (empty()) return false;
-    const std::vector<Vec2> all = closed();
-    for (size_t i = 0; i < all.size(); ++i) {
-        const Vec2& a = all[i];
-        if (cross(all[(i + 1) % all.size()] - a, p - a) <= 0) return false;  // it is convex
+    // It is convex: inside is to the left of every edge.
+    const auto inside = [&](const Vec2& a, const Vec2& b) { return cross(b - a, p - a) > 0; };
+    for (size_t i = 0; i + 1 < right.size(); ++i) {
+        if (!inside(right[i], right[i + 1]) || !inside(left[i + 1], left[i])) return false;
     }
-    return true;
+    return !empty();
 }
 
 SlitOutline slit_outline(const OperativeFieldSpec& spec, const FieldShape& shape) {
@@ -92,7 +85,8 @@ SlitOutline slit_outline(const OperativeFieldSpec& spec, const FieldShape& shape
 double edge_near_slit(const OperativeFieldSpec& spec, const Vec2& p, double edge_m) {
     if (!spec.slit) return edge_m;
     const FieldSlit& slit = *spec.slit;
-    const double away = distance_to_segment(p, slit.from_m, slit.to_m) - slit.width_m / 2;
+    const double away =
+        std::sqrt(squared_distance_to_segment(p, slit.from_m, slit.to_m)) - slit.width_m / 2;
     return std::min(edge_m, slit.edge_m + spec.edge_growth * std::max(0.0, away));
 }
 
