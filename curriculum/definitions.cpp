@@ -38,8 +38,12 @@ bool has_schemas(const fs::path& folder) {
 }  // namespace
 
 fs::path data_folder() {
-    if (const char* set = std::getenv("PLACODE_DATA"); set != nullptr && *set != '\0') return set;
     std::error_code error;
+    // Absolute, because a definition names others beside it.
+    if (const char* set = std::getenv("PLACODE_DATA"); set != nullptr && *set != '\0') {
+        const fs::path folder = fs::absolute(set, error);
+        return error ? fs::path(set) : folder;
+    }
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     if (!error && has_schemas(installed(program, 2))) return installed(program, 2);
     // In libplacode.so the program is somebody else's: bin/python3, say. A library lies in lib/ or

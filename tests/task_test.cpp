@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -91,6 +93,14 @@ TEST(Task, OverridesChangeOnlyWhatTheyName) {
     EXPECT_EQ(changed.scene.solver.substeps, 3);
     EXPECT_EQ(changed.scene.solver.iterations, plain.scene.solver.iterations);
     EXPECT_EQ(load_task_text(changed.json, "again").scene.solver.substeps, 3);
+}
+
+TEST(Task, ADataFolderNamedFromTheWorkingFolderServesScenesThatExtendOthers) {
+    const std::string usual = load_task("suture_slit").json;
+    const std::string here = std::filesystem::relative(data_folder()).string();
+    ASSERT_EQ(::setenv("PLACODE_DATA", here.c_str(), 1), 0);
+    EXPECT_EQ(load_task("suture_slit").json, usual);
+    ::unsetenv("PLACODE_DATA");
 }
 
 TEST(Task, AWrongUnitNamesTheKeyThatWasMeant) {
