@@ -142,8 +142,14 @@ inline void settle(ShellHarness& shell) {
             return again == nullptr || again->isEnabled();
         },
         30000);
+    (void)QTest::qWaitFor([&] { return !shell.context().busy(); }, 30000);
     QTest::qWait(30);
-    for (int i = 0; i < 5; ++i) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    // What is added to a page that stands already is shown by an event of its own: a page that took
+    // longer than that wait to be filled leaves it behind.
+    for (int i = 0; i < 5; ++i) {
+        QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    }
 }
 
 }  // namespace placode::ui
