@@ -152,6 +152,31 @@ TEST(FieldSlit, WallsMovedTogetherAreShutAndThoseThatPassedEachOtherToo) {
     EXPECT_EQ(narrowest_gap(*scene, state, station), 0);
 }
 
+TEST(FieldSlit, ATornWallIsOpenHoweverNearItsRagsLie) {
+    const auto scene = build_operative_field(pad());
+    State state(*scene, 1);
+    for (size_t v = 0; v < scene->body.mesh().rest.size(); ++v) {
+        const int side = scene->slit.side_of(static_cast<int32_t>(v));
+        state.body.x[v].x =
+            static_cast<float>(scene->body.mesh().rest[v].x() + side * 0.48 * kWidthM);
+    }
+    const auto events = slit_events(*scene, state);
+    const auto shut = static_cast<size_t>(nearest_station(*scene, Vec2(0.009, 0)));
+    EXPECT_EQ(events.at(shut + 1).value, 0);
+    const std::vector<Event> before = events;
+    // One tetrahedron of a wall: the surface there, then below it too.
+    for (int level = 0; level < scene->slit.layers; ++level) {
+        const int32_t wall = scene->slit.stations[shut].left[static_cast<size_t>(level)];
+        remove_tet(scene->body, state.body, scene->body.tets_of(wall).front());
+    }
+    const auto torn = slit_events(*scene, state);
+    ASSERT_EQ(torn.size(), before.size());
+    EXPECT_NEAR(torn[shut + 1].value, kWidthM - kTissueGapM, 0.015 * kWidthM);
+    EXPECT_NEAR(torn[shut + 1].value2, kWidthM - kTissueGapM, 0.015 * kWidthM);
+    for (size_t i = 1; i < torn.size(); ++i)
+        EXPECT_GE(torn[i].value, before[i].value) << "tearing closes nothing, station " << i;
+}
+
 TEST(FieldSlit, APlaceLiesInTheSlitOrBesideIt) {
     const auto scene = build_operative_field(pad());
     for (const double y : {-0.005, 0.0, 0.0041}) {

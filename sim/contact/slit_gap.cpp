@@ -70,6 +70,25 @@ class WayToWall {
     Vec3 way_ = Vec3::Zero();
 };
 
+/// Nothing of a wall has been torn or burned away at this vertex.
+bool is_whole(const Scene& scene, const State& state, int32_t v) noexcept {
+    const auto around = scene.body.tets_of(v);
+    return std::all_of(around.begin(), around.end(), [&](int32_t t) {
+        return state.body.tet_alive[static_cast<size_t>(t)] != 0;
+    });
+}
+
+/// Where a wall has a hole the slit is as open as it was at first, wherever the rags lie: tissue
+/// that is torn out lets the edges come together, and must not count as closing them.
+double open_gap(const Scene& scene, const State& state, int station, int level) noexcept {
+    const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
+    const int32_t left = s.left[static_cast<size_t>(level)],
+                  right = s.right[static_cast<size_t>(level)];
+    if (is_whole(scene, state, left) && is_whole(scene, state, right))
+        return slit_gap(scene, state, station, level);
+    return std::max(0.0, (rest_of(scene, right) - rest_of(scene, left)).norm() - kTissueGapM);
+}
+
 }  // namespace
 
 double slit_gap(const Scene& scene, const State& state, int station, int level) noexcept {
@@ -131,8 +150,11 @@ std::vector<Event> slit_events(const Scene& scene, const State& state) {
     for (int i = 0; i < stations; ++i) {
         Event event = head;
         event.element = i;
-        event.value = static_cast<float>(narrowest_gap(scene, state, i));
-        event.value2 = static_cast<float>(slit_gap(scene, state, i, 0));
+        double least = open_gap(scene, state, i, 0);
+        event.value2 = static_cast<float>(least);
+        for (int level = 1; level < scene.slit.layers; ++level)
+            least = std::min(least, open_gap(scene, state, i, level));
+        event.value = static_cast<float>(least);
         const Vec3 at = middle_at_rest(scene, scene.slit.stations[static_cast<size_t>(i)]);
         for (int k = 0; k < 3; ++k)
             event.rest_position_m[static_cast<size_t>(k)] = static_cast<float>(at[k]);
