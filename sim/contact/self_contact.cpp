@@ -49,24 +49,6 @@ int32_t surface_tet(const Scene& scene, const State& state, int32_t v) noexcept 
     return -1;
 }
 
-/// A group's pairs as they were when it was looked up last, by rising vertices.
-class LastPairs {
- public:
-    LastPairs(const std::vector<TissuePair>& pairs, int32_t count) noexcept : count_(count) {
-        std::copy_n(pairs.begin(), count, pairs_.begin());
-    }
-    /// Of `v`, null = none. Asked with rising `v`.
-    [[nodiscard]] const TissuePair* of(int32_t v) noexcept {
-        while (next_ < count_ && pairs_[static_cast<size_t>(next_)].vertex < v) ++next_;
-        if (next_ == count_ || pairs_[static_cast<size_t>(next_)].vertex != v) return nullptr;
-        return &pairs_[static_cast<size_t>(next_)];
-    }
-
- private:
-    std::array<TissuePair, kMostPairs> pairs_;
-    int32_t count_ = 0, next_ = 0;
-};
-
 /// Corners of a pair's face.
 std::array<int32_t, 3> face_of(const Scene& scene, const State& state,
                                const TissuePair& pair) noexcept {
@@ -94,17 +76,6 @@ class NearestFace {
           side_(scene.slit.side_of(v)),
           at_(position(state.body, v)),
           rest_(rest_of(scene, state, v)) {}
-
-    /// The walls of a slit face each other for a whole attempt, and what is farther off than the
-    /// face of last time is no nearest one: most of the tree is left out.
-    void look_no_farther_than(const TissuePair& before) noexcept {
-        if (side_ == 0 || !is_there(state_, before)) return;
-        const std::array<int32_t, 3> face = face_of(scene_, state_, before);
-        if (own_surroundings(face, before.tet)) return;
-        // More than rounding, so that it is found again.
-        constexpr double kRounding = 1 + 1e-9;
-        best2_ = std::min(best2_, kRounding * squared_distance_to(corners_of(face)));
-    }
 
     TissuePair find() noexcept {
         state_.surface.tree().walk(
@@ -137,11 +108,6 @@ class NearestFace {
         for (const int32_t v : face.vertex) {
             state_.self_contact.beside_until[static_cast<size_t>(v)] = state_.frame + kBesideFrames;
         }
-    }
-
-    [[nodiscard]] Triangle corners_of(const std::array<int32_t, 3>& face) const noexcept {
-        return {position(state_.body, face[0]), position(state_.body, face[1]),
-                position(state_.body, face[2])};
     }
 
     [[nodiscard]] double squared_distance_to(const Triangle& x) const noexcept {
@@ -227,7 +193,6 @@ void collect_tissue_pairs(const Scene& scene, State& state) noexcept {
     if (!self.enabled()) return;
     const auto group = static_cast<size_t>(state.frame % SelfContact::kGroups);
     int32_t& count = self.count[group];
-    LastPairs last(self.pairs[group], count);
     count = 0;
     const int32_t vertices =
         state.body.topology ? state.body.topology->vertices : scene.body.vertex_count();
@@ -238,9 +203,7 @@ void collect_tissue_pairs(const Scene& scene, State& state) noexcept {
             continue;
         const int32_t tet = surface_tet(scene, state, v);
         if (tet < 0) continue;
-        NearestFace nearest(scene, state, v, tet);
-        if (const TissuePair* before = last.of(v)) nearest.look_no_farther_than(*before);
-        const TissuePair pair = nearest.find();
+        const TissuePair pair = NearestFace(scene, state, v, tet).find();
         if (pair.vertex < 0) continue;
         if (count == kMostPairs) {
             state.flags |= kContactsDropped;
