@@ -64,6 +64,7 @@ TEST(SutureSlit, WhoSewsBadlyLeavesItOpenAndScoresFarLess) {
         EXPECT_NE(bad.score.verdict, assessment::Verdict::kPassed) << level;
         EXPECT_GT(bad.value("slit_gap_mean_mm"), 2 * expert().value("slit_gap_mean_mm")) << level;
         EXPECT_LT(bad.value("slit_shut_percent"), 60) << level;
+        EXPECT_EQ(bad.value("over_force_count"), 0) << level << " tears nothing by brute force";
     }
 }
 
