@@ -72,7 +72,8 @@ void lay_on_bed(const OperativeFieldSpec& spec, const FieldMesh& field, SoftBody
 // Columns that share a triangle with a side of the domain without lying on it.
 std::vector<int32_t> columns_next_to_sides(const OperativeFieldSpec& spec, const FieldMesh& field) {
     const auto side = [&](int32_t c) {
-        return on_side(spec, field.mesh.rest[field.vertices[c][0]]);
+        const int32_t surface = field.vertices[c][0];  // -1 in the opening of a slit
+        return surface >= 0 && on_side(spec, field.mesh.rest[surface]);
     };
     std::vector<int32_t> next;
     for (const auto& t : field.plane.triangles) {
