@@ -20,6 +20,9 @@ constexpr double kToBiteShare = 0.72;   // of the arc: where it is held at the s
 constexpr double kFalseM = 0.002;       // way in, before a false start is drawn back
 constexpr double kHeldShare = 1.0 / 3;  // of the jaws behind their tips
 constexpr double kOpenRad = 0.5, kJawRadS = 1.5, kPatienceS = 20;
+constexpr double kStrainS = 0.5;    // without getting on, before it lets go
+constexpr double kAskewM = 1e-3;    // between the jaws and where they would be on the circle
+constexpr int kMostMisses = 4;      // of the jaws, before it gives up
 constexpr double kDrawM_s = 0.015;  // of slack thread
 constexpr double kTautN = 0.02;     // from here on the thread pulls
 
@@ -46,7 +49,16 @@ void SutureOperator::see(const Perception& seen) { seen_ = seen; }
 
 void SutureOperator::stage(Stage next) noexcept {
     stage_ = next;
-    stage_s_ = 0;
+    stage_s_ = strained_s_ = 0;
+}
+
+bool SutureOperator::too_hard() const noexcept {
+    return seen_.tools[tool_].force_n.norm() > habits_.most_pull_n;
+}
+
+/// Off the needle and once more; who misses too often gives up.
+void SutureOperator::try_again() noexcept {
+    stage(++misses_ < kMostMisses ? Stage::kOpen : Stage::kDone);
 }
 
 SutureOperator::Plane SutureOperator::plane() const noexcept {
@@ -77,11 +89,14 @@ void SutureOperator::look_along(const Plane& p) noexcept {
     centre_ -= (point - centre_).dot(p.shaft) * p.shaft;
 }
 
-Vec3 SutureOperator::hold_at(const Plane& p, const Vec3& centre, double angle) noexcept {
-    const double c = std::cos(angle), s = std::sin(angle);
-    across_ = side_ * (s * p.right - c * p.up);
-    return centre + radius_m_ * (c * p.right + s * p.up) +
+Vec3 SutureOperator::jaws_at(const Plane& p, const Vec3& centre, double angle) const noexcept {
+    return centre + radius_m_ * (std::cos(angle) * p.right + std::sin(angle) * p.up) +
            kHeldShare * spec_.tip_length_m * p.shaft;
+}
+
+Vec3 SutureOperator::hold_at(const Plane& p, const Vec3& centre, double angle) noexcept {
+    across_ = side_ * (std::sin(angle) * p.right - std::cos(angle) * p.up);
+    return jaws_at(p, centre, angle);
 }
 
 void SutureOperator::drive(const Plane& p, double dt_s) noexcept {
@@ -117,6 +132,10 @@ void SutureOperator::take_again(const Plane& p, double dt_s) noexcept {
     side_ = 1;
     across_ = back;
     goal_ = wire + kHeldShare * spec_.tip_length_m * p.shaft;
+    if (stage_ == Stage::kCome && too_hard()) {  // on tissue, not on the wire
+        try_again();
+        return;
+    }
     const double still = stage_ == Stage::kSwing ? kClearM : 0;
     const bool there = hand_.glide(goal_ - still * p.shaft, 0.02, dt_s);
     if (!there) return;
@@ -129,7 +148,7 @@ void SutureOperator::take_again(const Plane& p, double dt_s) noexcept {
 void SutureOperator::close(const Plane& p, double dt_s) noexcept {
     if (!hand_.jaw(0, kJawRadS, dt_s)) return;
     if (!seen_.needle_held) {
-        if (stage_s_ > 0.6) stage(Stage::kOpen);  // beside it: once more
+        if (stage_s_ > 0.6) try_again();  // beside it
         return;
     }
     centre_ = seen_.X_WN.p;
@@ -139,7 +158,9 @@ void SutureOperator::close(const Plane& p, double dt_s) noexcept {
     grip_rad_ = angle_of(goal_ - kHeldShare * spec_.tip_length_m * p.shaft - centre_);
     const double behind = angle_of(seen_.X_WN.q * Vec3::UnitX()) - grip_rad_;
     if (take_m_ > kTakeM) held_rad_ = std::remainder(behind, 2 * kPi);
-    stage(Stage::kPull);
+    // Who took it askew cannot turn it on its circle.
+    const bool askew = (jaws_at(p, centre_, grip_rad_) - hand_.tip_m()).norm() > kAskewM;
+    stage(askew ? Stage::kDone : Stage::kPull);
 }
 
 /// Of the needle behind its exit.
@@ -148,13 +169,24 @@ double SutureOperator::left_inside_m() const noexcept {
     return seen_.needle_arc_m - radius_m_ * std::atan2(exit.y(), exit.x());
 }
 
-/// Round until it is through, or only its end is left for the tissue to hold.
+/// Round until it is through, or only its end is left for the tissue to hold. With skin between
+/// the jaws as well it lets go: nobody goes on against what the hand feels.
 void SutureOperator::pull(const Plane& p, double dt_s) noexcept {
+    if (too_hard()) {
+        strained_s_ += dt_s;
+        if (strained_s_ > kStrainS) try_again();
+        return;
+    }
+    strained_s_ = 0;
     grip_rad_ += habits_.speed_m_s * dt_s / radius_m_;
     static_cast<void>(hand_.glide(hold_at(p, centre_, grip_rad_), 0.05, dt_s));
     const sim::PracticeStep& step = seen_.practice.step;
     const bool again = step.kind == sim::PracticeKind::kNeedleTake && step.take_share > 0;
-    if (seen_.drawn_through > drawn_ || stage_s_ > kPatienceS) {
+    // Well past its exit without having come out there: it was torn out, or never went in. Behind
+    // the needle's end the angle begins anew.
+    const double past_m = 2 * seen_.needle_arc_m - left_inside_m();
+    const bool lost = past_m > kTailM && past_m < 0.5 * seen_.needle_arc_m;
+    if (seen_.drawn_through > drawn_ || lost || stage_s_ > kPatienceS) {
         stage(Stage::kLeave);
     } else if (again && take_m_ == kTakeM && left_inside_m() < kTailM) {
         take_m_ = step.take_share * seen_.needle_arc_m;
@@ -164,7 +196,8 @@ void SutureOperator::pull(const Plane& p, double dt_s) noexcept {
 
 /// Up, which draws the thread after it, and to the next bite if there is one.
 void SutureOperator::leave(double dt_s) noexcept {
-    static_cast<void>(hand_.glide(hand_.tip_m() + Vec3(0, 0, 0.01 * dt_s), 0.02, dt_s));
+    if (!too_hard())
+        static_cast<void>(hand_.glide(hand_.tip_m() + Vec3(0, 0, 0.01 * dt_s), 0.02, dt_s));
     if (stage_s_ <= 0.8) return;
     if (seen_.practice.step.kind == sim::PracticeKind::kThreadDraw)
         stage(Stage::kDraw);
@@ -178,9 +211,8 @@ void SutureOperator::draw(const Plane& p, double dt_s) noexcept {
         next_bite();
         return;
     }
-    const double pull_n = seen_.tools[tool_].force_n.norm();
-    if (pull_n > habits_.most_pull_n) return;
-    const double speed = pull_n > kTautN ? habits_.taut_m_s : kDrawM_s;
+    if (too_hard()) return;
+    const double speed = seen_.tools[tool_].force_n.norm() > kTautN ? habits_.taut_m_s : kDrawM_s;
     static_cast<void>(hand_.glide(hand_.tip_m() - speed * dt_s * p.shaft, 0.05, dt_s));
 }
 
@@ -192,7 +224,7 @@ void SutureOperator::next_bite() noexcept {
     exits_ = seen_.exits;
     drawn_ = seen_.drawn_through;
     bites_ = seen_.bites;
-    starts_ = 0;
+    starts_ = misses_ = 0;
     out_rad_ = 0;
 }
 
@@ -265,8 +297,7 @@ bool SutureOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
     stage_s_ += dt_s;
     const Plane p = plane();
     // A thread that holds the needle back is not pulled out of the tissue on the way to a mark.
-    const bool held_back = (stage_ == Stage::kReach || stage_ == Stage::kLower) &&
-                           seen_.tools[tool_].force_n.norm() > habits_.most_pull_n;
+    const bool held_back = (stage_ == Stage::kReach || stage_ == Stage::kLower) && too_hard();
     if (!held_back) go_on(p, dt_s);
     if (stage_s_ > kPatienceS && stage_ != Stage::kDone) stage(Stage::kDone);
     hands[tool_] = hand_.action(time_s_);

@@ -20,7 +20,7 @@ struct SutureHabits {
     int false_starts = 0;       ///< Of a bite: goes in, draws back, goes in elsewhere.
     double out_m = 2.6e-3;      ///< Of the point, before it lets go.
     double taut_m_s = 1.5e-3;   ///< Of the thread, once it pulls.
-    double most_pull_n = 0.2;   ///< Harder it does not pull.
+    double most_pull_n = 0.2;   ///< Harder it does not pull or push.
 };
 [[nodiscard]] const SutureHabits& suture_habits(OperatorLevel level) noexcept;
 
@@ -57,6 +57,8 @@ class SutureOperator final : public ScriptedOperator {
     void plan() noexcept;
     void look_along(const Plane& plane) noexcept;
     /// Driver so that the wire in its jaws lies at `angle` on the circle about `centre`.
+    [[nodiscard]] Vec3 jaws_at(const Plane& plane, const Vec3& centre, double angle) const noexcept;
+    /// The same, with the jaws turned across the wire.
     [[nodiscard]] Vec3 hold_at(const Plane& plane, const Vec3& centre, double angle) noexcept;
     void drive(const Plane& plane, double dt_s) noexcept;
     void take_again(const Plane& plane, double dt_s) noexcept;
@@ -66,6 +68,8 @@ class SutureOperator final : public ScriptedOperator {
     void draw(const Plane& plane, double dt_s) noexcept;
     void next_bite() noexcept;
     void go_on(const Plane& plane, double dt_s) noexcept;
+    void try_again() noexcept;
+    [[nodiscard]] bool too_hard() const noexcept;
     [[nodiscard]] double left_inside_m() const noexcept;
 
     const SutureHabits& habits_;
@@ -77,13 +81,14 @@ class SutureOperator final : public ScriptedOperator {
     Stage stage_ = Stage::kLook;
     Vec3 centre_ = Vec3::Zero(), across_ = Vec3::Zero(), goal_ = Vec3::Zero();
     double time_s_ = 0, stage_s_ = 0, radius_m_ = 0;
-    double entry_rad_ = 0;  ///< Where the circle meets the tissue, of the point.
-    double point_rad_ = 0;  ///< Where the point is.
-    double held_rad_ = 0;   ///< Held this far behind it.
+    double strained_s_ = 0;  ///< Since it pulls as hard as it does at most.
+    double entry_rad_ = 0;   ///< Where the circle meets the tissue, of the point.
+    double point_rad_ = 0;   ///< Where the point is.
+    double held_rad_ = 0;    ///< Held this far behind it.
     double grip_rad_ = 0, side_ = 1, out_rad_ = 0;
     double take_m_ = 0;  ///< Where it is taken next, from the point.
     Vec3 out_mark_m_ = Vec3::Zero();
-    int starts_ = 0, bites_ = 0;
+    int starts_ = 0, bites_ = 0, misses_ = 0;
     int exits_ = 0, drawn_ = 0;  ///< Before this bite.
 };
 
