@@ -11,6 +11,7 @@
 
 #include "ui/usage_message.h"
 #include "ui/version.h"
+#include "ui/view/picture_size.h"
 
 namespace placode::ui {
 namespace {
@@ -22,15 +23,14 @@ bool number(std::string_view text, T& value) {
     return error == std::errc() && end == text.data() + text.size();
 }
 
-// "WxH"
 void read_size(const std::string& text, Arguments& arguments) {
-    const size_t x = text.find('x');
-    if (x == std::string::npos || !number(std::string_view(text).substr(0, x), arguments.width) ||
-        !number(std::string_view(text).substr(x + 1), arguments.height) ||
-        !is_window_size(arguments.width, arguments.height)) {
+    const auto size = view::picture_size(text);
+    if (!size || !is_window_size(size->width, size->height)) {
         throw UsageError("--size: found \"" + text +
                          "\", expected WxH from 160x120 to 7680x4320, e.g. 1280x800");
     }
+    arguments.width = size->width;
+    arguments.height = size->height;
 }
 
 // "X,Y"

@@ -3,19 +3,20 @@
 // placodectl bench picture: what a picture of a recorded attempt costs, from the richest quality to
 // the plainest.
 
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
+#include "assessment/statistics.h"
 #include "bench/frame_parts.h"
-#include "bench/timing.h"
 #include "curriculum/replay.h"
 #include "db/recording_file.h"
 #include "ui/cli/cli.h"
 #include "ui/cli/write_file.h"
 #include "ui/view/fetoscope_view.h"
+#include "ui/view/picture_size.h"
 
 namespace placode::cli {
 namespace {
@@ -26,6 +27,7 @@ constexpr double kScreenMs = 1000.0 / 60;  // of most screens
 constexpr double kEveryS = 1.0 / 60;       // of the attempt: what a screen shows after another
 constexpr int kWarming = 3;                // pictures: shaders are compiled, caches filled
 constexpr int kLeast = 10;                 // pictures that a median is made of
+constexpr int kMost = 1000;                // 0.7 MB of memory each
 constexpr int kSmallestPx = 64, kLargestPx = 8192;
 
 struct PictureOptions {
@@ -35,34 +37,25 @@ struct PictureOptions {
     int pictures = 120;
 };
 
-struct Size {
-    int width = 0, height = 0;
-};
-
 struct Row {
-    Size size;
+    view::PictureSize size;
     view::Quality quality;
     std::string renderer;
     std::vector<double> ms;
-    [[nodiscard]] double median_ms() const { return bench::median(ms); }
+    [[nodiscard]] double median_ms() const { return assessment::median_of(ms); }
     [[nodiscard]] double p99_ms() const { return bench::percentile(ms, 0.99); }
 };
 
-Size size_of(const std::string& text) {
-    Size size;
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.width);
-    const bool crossed = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
-    const auto height = crossed ? std::from_chars(width.ptr + 1, end, size.height) : width;
+view::PictureSize size_of(const std::string& text) {
+    const auto size = view::picture_size(text);
     const auto fits = [](int px) { return px >= kSmallestPx && px <= kLargestPx; };
-    if (!crossed || height.ec != std::errc() || height.ptr != end || !fits(size.width) ||
-        !fits(size.height))
+    if (!size || !fits(size->width) || !fits(size->height))
         throw InputError("--size " + text + ": expected WxH, each " + std::to_string(kSmallestPx) +
                          " to " + std::to_string(kLargestPx) + " pixels, as in 1920x1080");
-    return size;
+    return *size;
 }
 
-std::string text_of(const Size& size) {
+std::string text_of(const view::PictureSize& size) {
     return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
@@ -74,12 +67,16 @@ std::vector<sim::Snapshot> moments(curriculum::Replay& replay, double from_s, in
         if (replay.state().time_s < next_s) continue;
         sim::fill_snapshot(replay.scene(), replay.state(), all.emplace_back());
     }
+    // Pictures of tissue that the recording never had are no pictures of the attempt.
+    if (static_cast<int>(all.size()) < count && !replay.result().identical)
+        throw std::runtime_error(replay.result().message);
     return all;
 }
 
 /// Until every moment was drawn or the time is up, but never so few that a median means nothing.
 Row measure(const view::ViewField& field, const std::vector<sim::Snapshot>& moments,
-            const Size& size, const view::Quality& quality, const PictureOptions& options) {
+            const view::PictureSize& size, const view::Quality& quality,
+            const PictureOptions& options) {
     view::ViewSettings settings;
     settings.width = size.width;
     settings.height = size.height;
@@ -137,9 +134,9 @@ std::vector<std::string> to_cells(const Row& row) {
 }
 
 void check(const PictureOptions& options) {
-    if (options.pictures < kLeast || options.pictures > 10000)
+    if (options.pictures < kLeast || options.pictures > kMost)
         throw InputError("--pictures " + std::to_string(options.pictures) + ": expected " +
-                         std::to_string(kLeast) + " to 10000");
+                         std::to_string(kLeast) + " to " + std::to_string(kMost));
     if (!(options.seconds > 0 && options.seconds <= 600))
         throw InputError("--seconds " + fixed(options.seconds, 3) + ": expected up to 600");
     if (options.save.empty()) return;
@@ -152,7 +149,7 @@ void check(const PictureOptions& options) {
 
 int run(const Context& context, const PictureOptions& options) {
     check(options);
-    std::vector<Size> sizes;
+    std::vector<view::PictureSize> sizes;
     for (const std::string& text : options.sizes) sizes.push_back(size_of(text));
     const sim::Recording recording = db::read_recording_file(options.recording);
     const double middle_s = 0.5 * recording.end.duration_s;
@@ -173,7 +170,7 @@ int run(const Context& context, const PictureOptions& options) {
     std::vector<std::vector<std::string>> cells{{"size", "scale", "samples", "shadows", "plain",
                                                  "pictures", "median [ms]", "p99", "a second",
                                                  "60/s held"}};
-    for (const Size& size : sizes) {
+    for (const view::PictureSize& size : sizes) {
         view::Quality quality;
         while (view::make_richer(quality)) {
         }
