@@ -7,6 +7,7 @@
 #include <chrono>
 #include <memory>
 
+#include "assessment/statistics.h"
 #include "bench/timing.h"
 #include "environment/expert.h"
 #include "sim/step/step.h"
@@ -123,10 +124,10 @@ EnvironmentRow measure_environment(const EnvironmentCase& what, int runs) {
         }
     }
     const auto frames = static_cast<double>(work.inputs.size());
-    row.physics_hz = frames / median(physics);
-    row.environment_hz = frames / median(whole);
-    row.reset_ms = 1e3 * median(reset);
-    row.save_ms = 1e3 * median(save);
+    row.physics_hz = frames / assessment::median_of(physics);
+    row.environment_hz = frames / assessment::median_of(whole);
+    row.reset_ms = 1e3 * assessment::median_of(reset);
+    row.save_ms = 1e3 * assessment::median_of(save);
     row.moment_mib = static_cast<double>(work.begin.state.size()) / (1024 * 1024);
     return row;
 }

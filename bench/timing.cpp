@@ -7,14 +7,9 @@
 #include <chrono>
 #include <cmath>
 
-namespace placode::bench {
+#include "assessment/statistics.h"
 
-double median(std::vector<double> values) {
-    assert(!values.empty());
-    std::sort(values.begin(), values.end());
-    const size_t middle = values.size() / 2;
-    return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
+namespace placode::bench {
 
 Rates measure_rates(const Plan& plan, const std::function<void(int)>& run) {
     using Clock = std::chrono::steady_clock;
@@ -27,7 +22,7 @@ Rates measure_rates(const Plan& plan, const std::function<void(int)>& run) {
                         std::chrono::duration<double>(Clock::now() - start).count());
     }
     const auto [slowest, fastest] = std::minmax_element(rates.begin(), rates.end());
-    return {median(rates), *slowest, *fastest};
+    return {assessment::median_of(rates), *slowest, *fastest};
 }
 
 sim::SoftBody slab(sim::Method method, const std::array<int, 3>& cells_mm) {

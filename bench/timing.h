@@ -11,9 +11,6 @@
 
 namespace placode::bench {
 
-/// Of the middle value, or of the two in the middle. @pre not empty.
-[[nodiscard]] double median(std::vector<double> values);
-
 /// How often and how long a benchmark measures.
 struct Plan {
     int runs = 20;

@@ -45,6 +45,12 @@ TEST(Statistics, LongAnswersGiveTheSameAsTheCounts) {
     EXPECT_NEAR(*s.mean, 57.0 / 14, 1e-12);
 }
 
+TEST(Statistics, TheMedianIsTheMiddleOrBetweenTheTwoInTheMiddle) {
+    EXPECT_EQ(median_of(std::vector<double>{5, 1, 3}), 3);
+    EXPECT_EQ(median_of(std::vector<double>{8, 1, 2, 4}), 3);
+    EXPECT_EQ(median_of(std::vector<double>{7}), 7);
+}
+
 TEST(Statistics, MissingAndImpossibleAnswersAreCountedApart) {
     const std::vector<std::optional<int>> answers{1, std::nullopt, 5, 9, 4};
     const LikertSummary s = summarise_likert(answers);

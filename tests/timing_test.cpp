@@ -7,12 +7,6 @@
 namespace placode::bench {
 namespace THIS_TEST {
 
-TEST(Timing, TheMedianIsTheMiddleOrBetweenTheTwoInTheMiddle) {
-    EXPECT_EQ(median({5, 1, 3}), 3);
-    EXPECT_EQ(median({8, 1, 2, 4}), 3);
-    EXPECT_EQ(median({7}), 7);
-}
-
 TEST(Timing, RatesCountEveryRunButTheFirst) {
     int runs = 0, substeps = 0;
     const Rates rates = measure_rates({3, 40}, [&](int n) {
