@@ -178,6 +178,7 @@ bool Workers::alone() const noexcept {
 
 Workers::Frame::Frame(Workers& workers) noexcept : workers_(workers) {
     Impl& team = *workers_.impl_;
+    if (team.threads == 1) return;
     team.shared = team.stalled = false;
     team.frame_start = Clock::now();
 }
