@@ -102,6 +102,7 @@ int run_attempt(const Arguments& arguments, StatusLine& status) {
     options.wait_for_motion = !arguments.headless;
     std::unique_ptr<sim::RecordingSink> sink;
     if (!arguments.record.empty()) sink = db::create_recording_file(arguments.record);
+    const bool has_ring = task.steps.empty();
     curriculum::AttemptRunner runner(std::move(task), arguments.seed, options, std::move(sink));
     if (arguments.headless) {
         run_headless(runner, arguments, status);
@@ -120,8 +121,9 @@ int run_attempt(const Arguments& arguments, StatusLine& status) {
         const char* recorded = arguments.record.empty() ? ""
                                : last.warning.empty()   ? ", recorded in "
                                                         : ", NOT recorded to its end in ";
-        std::printf("%s after %.1f s, ring %.0f %% cut%s%s\n", reason_text(end.reason).c_str(),
-                    end.duration_s, 100 * last.cut_fraction, recorded, arguments.record.c_str());
+        std::printf("%s after %.1f s", reason_text(end.reason).c_str(), end.duration_s);
+        if (has_ring) std::printf(", ring %.0f %% cut", 100 * last.cut_fraction);
+        std::printf("%s%s\n", recorded, arguments.record.c_str());
     }
     if (last.warning.empty()) return 0;
     std::fprintf(stderr, "placode-sim: %s\n", last.warning.c_str());
