@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include "sim/suture/rest_walk.h"
 #include "suture_block.h"
 
 namespace placode::sim {
@@ -49,6 +50,41 @@ TEST(Puncture, SurfaceOpensAtTheForceThatWasSet) {
             set_strength(options.suture, force);
             const double found = puncture_n(options, speed);
             EXPECT_NEAR(found / force, 1, 0.05) << stiffness << ' ' << speed;
+        }
+    }
+}
+
+// Soft tissue ahead of the point is drawn out flat, or inside out; the point must not stand still
+// in it while the needle goes on. It goes by the shape at rest, where every tet has a volume.
+TEST(Puncture, AFlatTetIsCrossedByItsShapeAtRest) {
+    const BlockOptions options = skin_block();
+    SutureBlock block(options, SutureBlock::upright(Vec3(0, 0, 0.02)));
+    const int32_t tet = block.body.tets_of(block.body.vertex_count() / 2)[0];
+    const auto& c = corners(block.body, block.tissue_state, tet);
+    const TissuePoint middle{tet, {0.25, 0.25, 0.25, 0.25}};
+    for (const double beyond : {0.0, 0.5}) {  // of the way to the face, past it
+        Vec3 face = Vec3::Zero();
+        for (size_t k = 1; k < 4; ++k) face += position(block.tissue_state, c[k]) / 3;
+        const Vec3 to = face + beyond * (face - rest_place(block.body, block.tissue_state, c[0]));
+        Float4& x = block.tissue_state.x[as_index(c[0])];
+        x.x = static_cast<float>(to.x());
+        x.y = static_cast<float>(to.y());
+        x.z = static_cast<float>(to.z());
+        for (const Vec3& way : {Vec3(-2e-3, 0, 0), Vec3(0, 1e-3, 0), Vec3(0, 0, 1e-3)}) {
+            EXPECT_EQ(walk_to_face(block.tissue, middle, way).end, WalkEnd::kLost);
+            const TissueWalk walk = walk_at_rest(block.tissue, middle, way);
+            EXPECT_TRUE(walk.end == WalkEnd::kAtFace || walk.end == WalkEnd::kAtSurface);
+            EXPECT_GT(walk.share, 0.01);
+            double sum = 0;
+            for (const double weight : walk.at.b) {
+                EXPECT_GE(weight, 0);
+                sum += weight;
+            }
+            EXPECT_NEAR(sum, 1, 1e-12);
+            EXPECT_NEAR((rest_place_of(block.tissue, walk.at) -
+                         rest_place_of(block.tissue, middle) - walk.share * way)
+                            .norm(),
+                        0, 1e-12);
         }
     }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/core/as_index.h"
+#include "sim/suture/rest_walk.h"
 #include "sim/suture/thread_channel.h"
 
 namespace placode::sim {
@@ -219,13 +220,26 @@ class Puncture {
         state_.work.puncture += before_j - energy();
     }
 
+    /// How far the point has gone in this substep [m].
+    [[nodiscard]] double advance_m() const noexcept {
+        const Vec3 lever =
+            needle_.to_W(suture_.needle().tip_m()) - needle_.to_W(suture_.needle().centre_m());
+        return h_s_ * std::max(0.0, forward_.dot(state_.v + state_.w.cross(lever)));
+    }
+
     void go(double way_m) noexcept {
         NeedlePoint& point = state_.point;
         for (int faces = 0; faces < kMostFaces && way_m > 0;) {
-            const double due = std::max(0.0, kSpacingM - point.since_passage_m);
-            const double step = std::min(way_m, due);
-            const TissueWalk walk = walk_to_face(tissue_, point.at, step * forward_);
-            if (walk.end == WalkEnd::kLost) return;
+            const bool full = state_.passage_count == kMostPassages;
+            const double due = full ? way_m : std::max(0.0, kSpacingM - point.since_passage_m);
+            double step = std::min(way_m, due);
+            TissueWalk walk = walk_to_face(tissue_, point.at, step * forward_);
+            if (walk.end == WalkEnd::kLost) {
+                // Soft tissue that is drawn along goes flat. A point that stood still in it would
+                // drag it until it tears; so it goes on with the needle, by the shape at rest.
+                way_m = step = std::min(step, advance_m());
+                walk = walk_at_rest(tissue_, point.at, step * forward_);
+            }
             point.at = walk.at;
             point.since_passage_m += walk.share * step;
             way_m -= walk.share * step;

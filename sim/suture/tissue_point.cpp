@@ -9,6 +9,7 @@
 #include "sim/core/as_index.h"
 #include "sim/core/tool_shape.h"
 #include "sim/mesh/box_distance.h"
+#include "sim/suture/rest_walk.h"
 
 namespace placode::sim {
 namespace {
@@ -43,6 +44,29 @@ bool weights_along(const std::array<Vec3, 4>& x, const Vec3& way, double rest_vo
     return true;
 }
 
+/// As walk_to_face(), in a tet whose corners lie at `x`.
+TissueWalk walk(const SuturedTissue& tissue, const TissuePoint& from, const std::array<Vec3, 4>& x,
+                const Vec3& way) noexcept {
+    TissueWalk walk{from, 1, -1, WalkEnd::kArrived};
+    std::array<double, 4> change{};
+    const double volume = static_cast<double>(rest_volume_of(tissue.body, tissue.state, from.tet));
+    if (!weights_along(x, way, volume, change)) return {from, 0, -1, WalkEnd::kLost};
+    for (size_t k = 0; k < 4; ++k) {
+        if (!(change[k] < 0)) continue;
+        const double share = std::max(0.0, from.b[k] / -change[k]);
+        if (share < walk.share) {
+            walk.share = share;
+            walk.face = static_cast<int>(k);
+        }
+    }
+    for (size_t k = 0; k < 4; ++k) walk.at.b[k] = from.b[k] + walk.share * change[k];
+    if (walk.face < 0) return walk;
+    walk.at.b[as_index(walk.face)] = 0;
+    walk.end =
+        tissue.faces.on_surface(from.tet, walk.face) ? WalkEnd::kAtSurface : WalkEnd::kAtFace;
+    return walk;
+}
+
 }  // namespace
 
 Vec3 place_of(const SuturedTissue& tissue, const TissuePoint& point) noexcept {
@@ -73,25 +97,15 @@ double answer_of(const SuturedTissue& tissue, const TissuePoint& point, double h
 
 TissueWalk walk_to_face(const SuturedTissue& tissue, const TissuePoint& from,
                         const Vec3& way) noexcept {
-    TissueWalk walk{from, 1, -1, WalkEnd::kArrived};
-    std::array<double, 4> change{};
-    const double volume = static_cast<double>(rest_volume_of(tissue.body, tissue.state, from.tet));
-    if (!weights_along(corner_places(tissue, from.tet), way, volume, change))
-        return {from, 0, -1, WalkEnd::kLost};
-    for (size_t k = 0; k < 4; ++k) {
-        if (!(change[k] < 0)) continue;
-        const double share = std::max(0.0, from.b[k] / -change[k]);
-        if (share < walk.share) {
-            walk.share = share;
-            walk.face = static_cast<int>(k);
-        }
-    }
-    for (size_t k = 0; k < 4; ++k) walk.at.b[k] = from.b[k] + walk.share * change[k];
-    if (walk.face < 0) return walk;
-    walk.at.b[as_index(walk.face)] = 0;
-    walk.end =
-        tissue.faces.on_surface(from.tet, walk.face) ? WalkEnd::kAtSurface : WalkEnd::kAtFace;
-    return walk;
+    return walk(tissue, from, corner_places(tissue, from.tet), way);
+}
+
+TissueWalk walk_at_rest(const SuturedTissue& tissue, const TissuePoint& from,
+                        const Vec3& way) noexcept {
+    std::array<Vec3, 4> x;
+    const auto& c = corners(tissue.body, tissue.state, from.tet);
+    for (size_t k = 0; k < 4; ++k) x[k] = rest_place(tissue.body, tissue.state, c[k]);
+    return walk(tissue, from, x, way);
 }
 
 TissuePoint across_face(const SuturedTissue& tissue, const TissuePoint& at, int face) noexcept {
