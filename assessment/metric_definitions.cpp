@@ -303,6 +303,10 @@ constexpr MetricDefinition kMetrics[] = {
      "How far the edges of a slit stand apart at the end, at the depth where they are nearest: "
      "where it gapes most.",
      "Placode"},
+    {"slit_leak_ml_min", "Leak of the slit, calculated", "ml/min", kLowerIsBetter,
+     "What the slit as it is left would let through at a pressure of 6 cmH2O, were it cut right "
+     "through: calculated for rigid walls from the gap along its length.",
+     "Reynolds 1886; 6 cmH2O after J Pediatr Surg 2020;55:726"},
     {"needle_entries", "Entries of the needle", "", kLowerIsBetter,
      "Times that the needle's point opened a surface from outside.", "Placode"},
     {"needle_regrasps", "Needle taken again", "", kLowerIsBetter,

@@ -15,7 +15,7 @@
 namespace placode::assessment {
 
 /// 10: several bites in a row.
-inline constexpr int kMetricSetVersion = 10;
+inline constexpr int kMetricSetVersion = 11;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

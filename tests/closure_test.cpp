@@ -36,6 +36,53 @@ TEST(Closure, MeanAndWidestGapOfAllStations) {
     EXPECT_NEAR(widest.at_m->y(), 0.001, 1e-7);
 }
 
+TEST(Closure, TheLeakOfOneStitchIsThatOfTheTable) {
+    // 3 mm wide, 1.5 mm deep, 6 cmH2O: viscous alone 1.05 ml/min at 0.05 mm, orifice alone 58 at
+    // 0.5 mm; in series a little less.
+    const auto ml_min = [](double gap_m) { return 6e7 * leak_m3_s({3e-3, gap_m, gap_m, 1.5e-3}); };
+    EXPECT_NEAR(ml_min(0.05e-3), 1.05, 0.05);
+    EXPECT_NEAR(ml_min(0.5e-3), 58, 3);
+    EXPECT_EQ(ml_min(0), 0);
+    EXPECT_GT(ml_min(1e-9), 0);
+    // A thousand times finer: the cube of it.
+    EXPECT_NEAR(ml_min(1e-8) / ml_min(1e-7), 1e-3, 1e-8);
+}
+
+TEST(Closure, PressureOfTheLeakIsLostInSlitAndNeck) {
+    const LeakyGap gap{2e-3, 0.3e-3, 0.1e-3, 0.8e-3};
+    const double q = leak_m3_s(gap);
+    // The resistance of the taper by the midpoint rule.
+    double sum = 0;
+    constexpr int kSteps = 20000;
+    for (int i = 0; i < kSteps; ++i) {
+        const double g = gap.mouth_m + (gap.neck_m - gap.mouth_m) * (i + 0.5) / kSteps;
+        sum += gap.depth_m / kSteps / (g * g * g);
+    }
+    const double viscous_pa = 12 * 0.7e-3 * sum * q / gap.length_m;
+    const double speed = q / (0.6 * gap.length_m * gap.neck_m);
+    EXPECT_NEAR(viscous_pa + 0.5 * 1005 * speed * speed, kLeakPa, 1e-3);
+    for (const LeakyGap& more :
+         {LeakyGap{2e-3, 0.31e-3, 0.1e-3, 0.8e-3}, LeakyGap{2e-3, 0.3e-3, 0.11e-3, 0.8e-3},
+          LeakyGap{2.1e-3, 0.3e-3, 0.1e-3, 0.8e-3}, LeakyGap{2e-3, 0.3e-3, 0.1e-3, 0.7e-3}})
+        EXPECT_GT(leak_m3_s(more), q);
+}
+
+TEST(Closure, ALeakIsTheSumAlongTheSlitAndUnknownWithoutItsDepth) {
+    sim::Recording recording;
+    recording.events = {station(-1, 0, 0), station(0, 0, -0.002), station(1, 0.0002, 0),
+                        station(2, 0.0004, 0.001)};
+    MetricSet set;
+    add_closure_metrics(recording, set.values);
+    EXPECT_FALSE(set.find("slit_leak_ml_min"));
+    recording.events[0].value2 = 0.8e-3F;
+    for (size_t i = 1; i < 4; ++i) recording.events[i].value2 = recording.events[i].value;
+    set.values.clear();
+    add_closure_metrics(recording, set.values);
+    const double expected =
+        leak_m3_s({1.5e-3, 0.0002, 0.0002, 0.8e-3}) + leak_m3_s({0.5e-3, 0.0004, 0.0004, 0.8e-3});
+    EXPECT_NEAR(*set.find("slit_leak_ml_min") / (6e7 * expected), 1, 1e-5);
+}
+
 TEST(Closure, ASlitThatIsShutHasNoGap) {
     sim::Recording recording;
     recording.events = {station(-1, 0, 0), station(0, 0, -0.004), station(1, 0, 0.001)};
@@ -43,6 +90,10 @@ TEST(Closure, ASlitThatIsShutHasNoGap) {
     add_closure_metrics(recording, set.values);
     EXPECT_EQ(*set.find("slit_gap_mean_mm"), 0);
     EXPECT_EQ(*set.find("slit_gap_widest_mm"), 0);
+    recording.events[0].value2 = 0.8e-3F;
+    set.values.clear();
+    add_closure_metrics(recording, set.values);
+    EXPECT_EQ(*set.find("slit_leak_ml_min"), 0);
 }
 
 }  // namespace THIS_TEST

@@ -3,6 +3,10 @@
 // The task of closing a slit: whole attempts, and what is left of the gap.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
+#include "assessment/closure.h"
 #include "assessment/scoring.h"
 #include "curriculum/replay.h"
 #include "sim/contact/slit_gap.h"
@@ -10,6 +14,13 @@
 
 namespace placode::curriculum {
 namespace THIS_TEST {
+
+/// Through the open slit: Torricelli, 0.6 of an ellipse of 12 x 1 mm less the 50 um that contact
+/// keeps walls apart and that count as shut.
+double open_leak_ml_min() {
+    const double area_m2 = 0.25 * std::numbers::pi * 12e-3 * 1e-3 - 12e-3 * 50e-6;
+    return 6e7 * 0.6 * area_m2 * std::sqrt(2 * assessment::kLeakPa / 1005);
+}
 
 struct Outcome {
     sim::Recording recording;
@@ -53,6 +64,7 @@ TEST(SutureSlit, AnExpertShutsTheSlit) {
     EXPECT_GT(run.value("slit_shut_percent"), 75);
     EXPECT_LT(run.value("slit_gap_widest_mm"), 0.4);
     EXPECT_LT(run.value("slit_gap_mean_mm"), 0.2);
+    EXPECT_LT(run.value("slit_leak_ml_min"), 0.15 * open_leak_ml_min());
     EXPECT_EQ(run.score.verdict, assessment::Verdict::kPassed) << run.score.points;
 }
 
@@ -75,6 +87,9 @@ TEST(SutureSlit, WhoDoesNothingLeavesItOpen) {
     EXPECT_EQ(outcome.score.verdict, assessment::Verdict::kNotAttempted);
     EXPECT_EQ(outcome.score.points, 0);
     EXPECT_NEAR(outcome.value("slit_gap_widest_mm"), 0.95, 0.03);
+    // Some 3 % less: fluid rubs on the walls as well.
+    EXPECT_LT(outcome.value("slit_leak_ml_min"), open_leak_ml_min());
+    EXPECT_GT(outcome.value("slit_leak_ml_min"), 0.95 * open_leak_ml_min());
 }
 
 TEST(SutureSlit, IsReplayedBitForBitOnOtherNumbersOfThreadsAndItsWallsNeverPassEachOther) {

@@ -70,6 +70,12 @@ class WayToWall {
     Vec3 way_ = Vec3::Zero();
 };
 
+/// From the surface to the floor, at rest [m].
+double depth_at_rest(const Scene& scene, const Slit::Station& station) noexcept {
+    const auto floor = static_cast<size_t>(scene.slit.layers);
+    return (rest_of(scene, station.left[0]) - rest_of(scene, station.left[floor])).norm();
+}
+
 /// Nothing of a wall has been torn or burned away at this vertex.
 bool is_whole(const Scene& scene, const State& state, int32_t v) noexcept {
     const auto around = scene.body.tets_of(v);
@@ -146,9 +152,12 @@ std::vector<Event> slit_events(const Scene& scene, const State& state) {
     Event head;
     head.kind = EventKind::kSlitGap;
     head.value = static_cast<float>(stations);
+    const Slit::Station& middle = scene.slit.stations[static_cast<size_t>(stations / 2)];
+    head.value2 = static_cast<float>(depth_at_rest(scene, middle));
     events.push_back(head);
     for (int i = 0; i < stations; ++i) {
-        Event event = head;
+        Event event;
+        event.kind = EventKind::kSlitGap;
         event.element = i;
         double least = open_gap(scene, state, i, 0);
         event.value2 = static_cast<float>(least);

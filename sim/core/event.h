@@ -97,7 +97,7 @@ enum class EventKind : uint16_t {
     kSlitGap = 86,  ///< after the last frame, one for each station along a slit: value = how far
                     ///< its walls stand apart [m], the least over the depth, value2 = the same at
                     ///< the surface, element = station, rest_position = its middle. The first has
-                    ///< element -1, value = number of stations
+                    ///< element -1, value = number of stations, value2 = depth of the slit [m]
     // Needle and thread (sim/suture). Place: on the tissue at rest, or of the jaws for those of the
     // hold. hash = number of the channel, 1 for the first bite.
     kNeedleTaken = 90,  ///< jaws closed on the needle: value = where, from the point [m], value2 =

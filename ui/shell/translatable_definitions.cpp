@@ -224,6 +224,10 @@ namespace {
                       "are nearest: where it gapes most."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
+        "What the slit as it is left would let through at a pressure of 6 cmH2O, were it cut right "
+        "through: calculated for rigid walls from the gap along its length."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
         "Bites of a row that came out and through which all of the needle was drawn."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",

@@ -103,6 +103,7 @@ namespace {
     QT_TRANSLATE_NOOP("Metric", "Shut part of the slit"),
     QT_TRANSLATE_NOOP("Metric", "Gap of the slit, mean"),
     QT_TRANSLATE_NOOP("Metric", "Gap of the slit, widest"),
+    QT_TRANSLATE_NOOP("Metric", "Leak of the slit, calculated"),
     QT_TRANSLATE_NOOP("Metric", "Entry beside its mark, worst bite"),
     QT_TRANSLATE_NOOP("Metric", "Exit beside its mark, worst bite"),
     QT_TRANSLATE_NOOP("Metric", "Shallowest bite"),

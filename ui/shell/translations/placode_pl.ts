@@ -2408,6 +2408,10 @@
         <translation>Szczelina rozcięcia, największa</translation>
     </message>
     <message>
+        <source>Leak of the slit, calculated</source>
+        <translation>Przeciek przez rozcięcie, obliczony</translation>
+    </message>
+    <message>
         <source>Entry beside its mark, worst bite</source>
         <translation>Wkłucie obok znaku, najgorszy ścieg</translation>
     </message>
@@ -3336,6 +3340,10 @@
     <message>
         <source>How far the edges of a slit stand apart at the end, at the depth where they are nearest: where it gapes most.</source>
         <translation>Na ile brzegi rozcięcia są na końcu oddalone od siebie, na tej głębokości, gdzie są najbliżej: w najszerszym miejscu.</translation>
+    </message>
+    <message>
+        <source>What the slit as it is left would let through at a pressure of 6 cmH2O, were it cut right through: calculated for rigid walls from the gap along its length.</source>
+        <translation>Ile płynu przepuściłoby rozcięcie, tak jak je zostawiono, przy ciśnieniu 6 cmH2O, gdyby przecięto je na wylot: obliczone dla sztywnych brzegów ze szczeliny wzdłuż rozcięcia.</translation>
     </message>
     <message>
         <source>Largest distance of an entry from its mark, over the bites of a row that are done.</source>
