@@ -15,7 +15,7 @@ shell_arguments=()
 for argument in "$@"; do
   case "$argument" in
     --demo) demo=1 ;;
-    -h|--help) sed -n '5,9p' "$0" | sed 's/^# \{0,1\}//'; exit 0 ;;
+    -h|--help) sed -n '5,8p' "$0" | sed 's/^# \{0,1\}//'; exit 0 ;;
     *) shell_arguments+=("$argument") ;;
   esac
 done

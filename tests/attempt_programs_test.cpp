@@ -160,7 +160,13 @@ TEST_F(Programs, AnAttemptIsRecordedMeasuredAndScored) {
     EXPECT_NEAR(number_in(score.out, "duration_s"), 0.5, 0.0011);  // Whole frames of 1 ms.
     EXPECT_EQ(number_in(score.out, "seed"), 7);
     EXPECT_THAT(score.out, AllOf(HasSubstr("\"demonstration\": true"), HasSubstr("\"reasons\"")));
-    EXPECT_EQ(ctl("score a.placode --task diathermy_ring_small").status, 0);
+    const Outcome same = ctl("score a.placode --task diathermy_ring_small");
+    EXPECT_EQ(same.status, 0);
+    EXPECT_EQ(same.out.find("another task"), std::string::npos);
+    const Outcome other = ctl("score a.placode --task touch_targets");
+    EXPECT_NE(other.out.find("the recording is of another task: diathermy_ring_small\n"),
+              std::string::npos)
+        << other.out;
 }
 
 TEST_F(Programs, AKilledAttemptLosesAtMostHalfASecond) {

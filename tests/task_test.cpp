@@ -41,6 +41,10 @@ TEST(Task, EveryShippedTaskLoadsInBothLanguages) {
         EXPECT_FALSE(task.title.pl.empty());
         EXPECT_NE(task.title.in("pl"), task.title.in("en"));
         EXPECT_GE(task.instructions.size(), 3u);
+        for (const LocalText& text : task.instructions) EXPECT_FALSE(text.pl.empty()) << text.en;
+        for (const TaskStep& step : task.steps) EXPECT_FALSE(step.text.pl.empty()) << step.text.en;
+        for (const assessment::RubricItem& item : task.rubric.items)
+            EXPECT_FALSE(item.reason_pl.empty()) << item.reason;
         EXPECT_FALSE(task.scene.tools.empty());
         EXPECT_GE(task.rubric.items.size(), 9u);
         EXPECT_EQ(task.rubric.pass_points, 70);

@@ -262,6 +262,8 @@ int score(const Context& context, const MetricsOptions& options) {
                        " version " + std::to_string(task.version) + ", " + recording.header.device +
                        (recording.header.demonstration ? ", demonstration" : "") + ")\n";
     if (!damage.empty()) text += "damaged: " + damage + "\n";
+    if (task.id != recording.header.task_id)
+        text += "the recording is of another task: " + recording.header.task_id + "\n";
     if (!published)
         text += "not verified: no such task is published here, the recording's own was used\n";
     std::vector<std::vector<std::string>> rows;
