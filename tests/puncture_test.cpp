@@ -89,6 +89,29 @@ TEST(Puncture, AFlatTetIsCrossedByItsShapeAtRest) {
     }
 }
 
+// No more passages fit: the point goes on without leaving any, and says that some were dropped.
+TEST(Puncture, AFullListOfPassagesStopsNothing) {
+    BlockOptions options = skin_block();
+    set_strength(options.suture, 0.08, 0);
+    const auto block = bite(options);
+    SutureState& needle = block->needle;
+    drive_round(*block, 3e-3, 5e-3, [&](SutureBlock&) { return needle.passage_count < 3; });
+    ASSERT_EQ(needle.point.mode, PointMode::kInside);
+    const Passage newest = needle.passages[as_index(needle.passage_count - 1)];
+    while (needle.passage_count < kMostPassages)
+        needle.passages[as_index(needle.passage_count++)] = newest;
+    // Farther than one passage is due, within one tet.
+    needle.point.since_passage_m = 0.3e-3;
+    bool dropped = false;
+    drive_round(*block, 1e-3, 5e-3, [&](SutureBlock& b) {
+        dropped = dropped || b.report.dropped;
+        return true;
+    });
+    EXPECT_TRUE(dropped);
+    EXPECT_EQ(needle.passage_count, kMostPassages);
+    EXPECT_TRUE(needle.needle.p.allFinite());
+}
+
 // One bite, in and out: two peaks of the puncture force, and between them the cutting force.
 TEST(Puncture, BiteHasTwoPeaksAndCutsBetweenThem) {
     BlockOptions options = skin_block();
