@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "assessment/loci.h"
+
 namespace placode::assessment {
 namespace {
 
@@ -13,23 +15,19 @@ using sim::Event;
 using sim::EventKind;
 using sim::Vec3;
 
-Vec3 place_of(const Event& e) {
-    return {e.rest_position_m[0], e.rest_position_m[1], e.rest_position_m[2]};
-}
-
 /// What an event says of the bite that is being done.
 void note(const Event& e, Bite& bite) {
     switch (e.kind) {
         case EventKind::kBiteEntry:
             bite.entered = true;
             bite.entered_s = e.time_s;
-            bite.entry_m = place_of(e);
+            bite.entry_m = rest_place(e);
             bite.entry_offset_m = static_cast<double>(e.value2);
             break;
         case EventKind::kBiteExit:
             bite.left = true;
             bite.left_s = e.time_s;
-            bite.exit_m = place_of(e);
+            bite.exit_m = rest_place(e);
             bite.exit_offset_m = static_cast<double>(e.value2);
             break;
         case EventKind::kNeedleEntered:
@@ -90,7 +88,7 @@ std::vector<Bite> bites_of(const sim::Recording& recording) {
                 bites.emplace_back();
                 bites.back().number = e.element;
             }
-            (e.value2 > 0 ? bites.back().mark_out_m : bites.back().mark_in_m) = place_of(e);
+            (e.value2 > 0 ? bites.back().mark_out_m : bites.back().mark_in_m) = rest_place(e);
         } else if (!bites.empty()) {
             note(e, bites.back());
         }

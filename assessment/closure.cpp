@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "assessment/loci.h"
+
 namespace placode::assessment {
 namespace {
 
@@ -14,13 +16,7 @@ constexpr double kDischarge = 0.6;  // of a sharp-edged orifice
 constexpr double kMlMinPerM3S = 6e7;
 
 double apart_m(const sim::Event& a, const sim::Event& b) {
-    double sum = 0;
-    for (size_t k = 0; k < 3; ++k) {
-        const double way =
-            static_cast<double>(a.rest_position_m[k]) - static_cast<double>(b.rest_position_m[k]);
-        sum += way * way;
-    }
-    return std::sqrt(sum);
+    return (rest_place(a) - rest_place(b)).norm();
 }
 
 /// Of the whole slit; each station stands for half the way to either neighbour, and between a tip

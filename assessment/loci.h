@@ -17,6 +17,12 @@ struct Locus {
     int count = 0;                  ///< Events behind it.
 };
 
+/// Of an event on the tissue, at rest [m].
+[[nodiscard]] inline sim::Vec3 rest_place(const sim::Event& event) {
+    const auto& p = event.rest_position_m;
+    return {p[0], p[1], p[2]};
+}
+
 /// @param threshold of the line that asks: time is used up from there on.
 [[nodiscard]] Locus locate(std::string_view metric, double threshold,
                            const sim::Recording& recording);
