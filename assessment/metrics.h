@@ -14,7 +14,7 @@
 
 namespace placode::assessment {
 
-/// 10: several bites in a row.
+/// 11: leak of a slit.
 inline constexpr int kMetricSetVersion = 11;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
