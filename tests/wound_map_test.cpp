@@ -105,6 +105,28 @@ TEST(WoundMap, WhatIsThereAgainIsDrawnAgain) {
     EXPECT_DOUBLE_EQ(map.gone_at(Vec2(0, 0)), 0);
 }
 
+TEST(WoundMap, WhatIsOpenFromTheStartIsGoneInTheFirstPicture) {
+    DrawnField field;
+    for (auto* triangles : {&field.view.rest_triangles, &field.snapshot.triangles}) {
+        for (SurfaceTriangle& t : *triangles) {
+            Vec2 middle = Vec2::Zero();
+            for (const int v : t.vertex) middle += field.rest_mm(v) / 3;
+            t.fresh = middle.norm() < 3 ? 1 : 0;
+        }
+    }
+    WoundMap map(field.view, kLow, kHigh);
+    EXPECT_GT(map.update(field.snapshot).width, 0);
+    EXPECT_GT(map.gone_at(Vec2(0, 0)), 0.9);
+    EXPECT_DOUBLE_EQ(map.gone_at(Vec2(8, 0)), 0);
+    const auto before = field.snapshot;
+    field.cut([](const Vec2& p) { return (p - Vec2(8, 0)).norm() < 2; });
+    static_cast<void>(map.update(field.snapshot));
+    EXPECT_GT(map.gone_at(Vec2(8, 0)), 0.9);
+    static_cast<void>(map.update(before));
+    EXPECT_DOUBLE_EQ(map.gone_at(Vec2(8, 0)), 0);
+    EXPECT_GT(map.gone_at(Vec2(0, 0)), 0.9) << "still open";
+}
+
 TEST(WoundMap, APieceOfTheMapIsTheSameAsTheWhole) {
     DrawnField field;
     WoundMap by_steps(field.view, kLow, kHigh), at_once(field.view, kLow, kHigh);

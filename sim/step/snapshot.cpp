@@ -7,6 +7,7 @@
 
 #include "sim/cutting/attempt_progress.h"
 #include "sim/ledger/burial.h"
+#include "sim/step/needle_snapshot.h"
 #include "sim/world/scene.h"
 #include "sim/world/state.h"
 
@@ -26,60 +27,6 @@ ToolSnapshot tool_snapshot(const ToolSpec& spec, const ToolState& tool) {
     s.engaged = tool.engaged;
     s.touched = tool.touched;
     return s;
-}
-
-// Of a free end of thread, which the simulation lets hang straight and without weight: so much of
-// it is shown, turning downwards from the way that it leaves tissue or needle.
-constexpr double kFreeEndM = 15e-3, kFreeStepM = 0.5e-3, kTurnsM = 5e-3;
-
-void hang_end(std::vector<std::array<float, 3>>& line, Vec3 at, Vec3 way, double length) {
-    for (double s = 0; s < std::min(length, kFreeEndM); s += kFreeStepM) {
-        way = (way - kFreeStepM / kTurnsM * Vec3::UnitZ()).normalized();
-        at += kFreeStepM * way;
-        line.push_back(
-            {static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z())});
-    }
-}
-
-void fill_needle(const Scene& scene, const State& state, NeedleSnapshot& out) {
-    out.present = state.suturing.placed;
-    out.thread.clear();
-    if (out.present == 0) return;
-    const SutureState& needle = state.suturing.needle[0];
-    const Needle& shape = scene.suture->needle();
-    out.pose = needle.needle;
-    out.arc_m = static_cast<float>(shape.arc_m());
-    out.wire_radius_m = static_cast<float>(shape.spec().wire_radius_m);
-    const ThreadState& thread = needle.thread;
-    if (thread.pieces.empty()) return;
-    // Room for all that it may come to, once.
-    out.thread.reserve(kMostPassages + 2 + static_cast<size_t>(kFreeEndM / kFreeStepM));
-    const auto place = [&](const TissuePoint& point) {
-        const auto& c = corners(scene.body, state.body, point.tet);
-        Vec3 p = Vec3::Zero();
-        for (size_t k = 0; k < 4; ++k) p += point.b[k] * position(state.body, c[k]);
-        return p;
-    };
-    Vec3 last = Vec3::Zero(), way = Vec3::UnitX();
-    const auto add = [&](const Vec3& p) {
-        if (!out.thread.empty() && (p - last).norm() > 0) way = (p - last).normalized();
-        last = p;
-        out.thread.push_back(
-            {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
-    };
-    const ArcPoint swage = shape.at(shape.arc_m());
-    if (thread.ends[1].mode == ThreadEndMode::kSwage) {
-        add(needle.needle * swage.place_m);
-        way = needle.needle.q * swage.back;
-    } else if (thread.ends[1].mode == ThreadEndMode::kHeld) {
-        add(thread.ends[1].place_m);
-    }
-    for (int i = thread.passage_count - 1; i >= 0; --i)
-        add(place(thread.passages[static_cast<size_t>(i)].at));
-    if (thread.ends[0].mode == ThreadEndMode::kHeld)
-        add(thread.ends[0].place_m);
-    else if (!out.thread.empty())
-        hang_end(out.thread, last, way, -thread.pieces[0].stretch_m);
 }
 
 }  // namespace
@@ -126,6 +73,7 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
         out.tools[t].buried_m = static_cast<float>(burial.depth_m);
         out.tools[t].buried_length_m = static_cast<float>(burial.length_m);
     }
+    out.slit = scene.slit.present() ? 1 : 0;
     if (scene.suture) fill_needle(scene, state, out.needle);
     out.contour_cut.assign(state.progress.cut.begin(), state.progress.cut.end());
     out.contour.resize(scene.contour_anchors.size());

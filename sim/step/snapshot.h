@@ -22,13 +22,17 @@ struct ToolSnapshot {
     Tissue touched = Tissue::kSkin;
 };
 
-/// A suture needle, and its thread from the needle to the tail: straight from the swage to where it
-/// goes into tissue, along its channels, and a stretch of its free end, which hangs.
+/// A suture needle, and its thread from the needle to the tail as it is seen (needle_snapshot.h):
+/// over the tissue from the swage to where it goes in, along its channels, and a stretch of its
+/// free end.
 struct NeedleSnapshot {
     uint8_t present = 0;
-    Pose pose;  ///< X_WN.
+    int8_t driver = -1;  ///< Tool whose jaws hold it, -1 = none.
+    Pose pose;           ///< X_WN.
     float arc_m = 0, wire_radius_m = 0;
     std::vector<std::array<float, 3>> thread;  ///< [m]; empty = no thread.
+    std::vector<std::array<float, 3>>
+        loop;  ///< At its tail [m], closed; empty = none, or not seen.
 };
 
 struct Snapshot {
@@ -60,6 +64,7 @@ struct Snapshot {
     float physics_hz = 0, servo_p999_us = 0;  ///< Filled by the loop, for the performance overlay.
     int substeps = 0;
     uint8_t finished = 0, paused = 0;
+    uint8_t slit = 0;                ///< The scene has one (Scene::slit).
     std::array<char, 64> message{};  ///< Newest warning, one short phrase; empty = none.
     float message_age_s = 1e9f;
 };

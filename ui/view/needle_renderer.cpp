@@ -87,9 +87,8 @@ void add_needle(const NeedleSnapshot& needle, NeedleMesh& mesh) {
     }
 }
 
-void add_thread(const NeedleSnapshot& needle, NeedleMesh& mesh) {
+void add_thread(const std::vector<std::array<float, 3>>& line, NeedleMesh& mesh) {
     Tube tube(mesh, static_cast<float>(ToolMaterial::kThread));
-    const auto& line = needle.thread;
     for (size_t i = 0; i < line.size(); ++i) {
         const Vec3 way =
             place_mm(line[std::min(i + 1, line.size() - 1)]) - place_mm(line[i > 0 ? i - 1 : 0]);
@@ -104,7 +103,8 @@ void NeedleMesh::build(const NeedleSnapshot& needle) {
     indices.clear();
     if (needle.present == 0) return;
     add_needle(needle, *this);
-    if (needle.thread.size() > 1) add_thread(needle, *this);
+    if (needle.thread.size() > 1) add_thread(needle.thread, *this);
+    if (needle.loop.size() > 1) add_thread(needle.loop, *this);
 }
 
 NeedleRenderer::NeedleRenderer() { gl_.create({3, 3, 4, 4, 2}); }

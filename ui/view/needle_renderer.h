@@ -15,7 +15,8 @@ namespace placode::view {
 struct NeedleMesh {
     std::vector<float> vertices;
     std::vector<unsigned> indices;
-    /// Takes the needle, steel with a taper at its point and a thicker swage, and the thread.
+    /// Takes the needle, steel with a taper at its point and a thicker swage, the thread and the
+    /// loop at its end.
     void build(const sim::NeedleSnapshot& needle);
 };
 

@@ -197,7 +197,9 @@ void Overlay::notice(double room) {
     if (state_->notice.empty()) return;
     // Above the banner where that one stands in the middle.
     const bool crowded = !state_->banner.empty() && room <= 9 * unit_;
-    const double foot = height_ - (crowded ? margin_ + 1.5 * unit_ : 1.6 * margin_);
+    double foot = height_ - (crowded ? margin_ + 1.5 * unit_ : 1.6 * margin_);
+    // And above the step where that one does.
+    if (practising() && room <= 9 * unit_) foot = std::min(foot, foot_top_ - unit_);
     // In the middle, and no wider than what the keys in the corner leave.
     double keys = 0;
     for (const std::string& line : key_lines())

@@ -136,6 +136,7 @@ class Overlay {
     double exam_steps(double y, double room);
     void target_text(int tool, const sim::Vec2& px, double radius, const sim::Vec3& away_mm,
                      bool above);
+    void take_mark(int tool);
     void end_marks(int tool);
     void scope_marks();
     void shaft_scale(int tool, double low_mm, double high_mm, double now_mm, int next);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ui/view/overlay.h"
 #include "ui/view/overlay_shapes.h"
@@ -21,6 +22,7 @@ namespace {
 constexpr double kSwingMm = 5;          // end marks stand this far to both sides
 constexpr double kAboveTissueMm = 1.5;  // and never nearer to the tissue than this
 constexpr double kScopeSwingMm = 5;     // of what the scope looks at
+constexpr double kBehindPointMm = 1.5;  // where the jaws take a needle that has come out
 
 }  // namespace
 
@@ -89,10 +91,11 @@ void Overlay::goals() {
             break;
         }
         case PracticeKind::kNeedleTake:
+            take_mark(tool);
+            break;
         case PracticeKind::kNeedleThrough:
         case PracticeKind::kThreadDraw: {
-            const char* what = goal.step.kind == PracticeKind::kNeedleTake ? "take the needle"
-                               : goal.step.kind == PracticeKind::kNeedleThrough
+            const char* what = goal.step.kind == PracticeKind::kNeedleThrough
                                    ? "draw the needle through"
                                    : "draw the thread until the edges meet";
             Vec2 px;
@@ -103,6 +106,31 @@ void Overlay::goals() {
             targets();
             break;
     }
+}
+
+// Where the needle is to be taken, once nobody holds it any more.
+void Overlay::take_mark(int tool) {
+    const NeedleSnapshot& needle = snapshot_->needle;
+    const PracticeStep& step = state_->practice.goal.step;
+    Vec2 px;
+    if (needle.present == 0 || needle.driver >= 0) {
+        const char* what = step.take_share > 0 ? "turn it on, then open the jaws" : "open the jaws";
+        if (place_of(1000 * snapshot_->tools[static_cast<size_t>(tool)].pose.p, px))
+            label(px + Vec2(0, 2.6 * unit_), say(what), kAccent);
+        return;
+    }
+    const double arc_mm = 1000 * static_cast<double>(needle.arc_m);
+    const double radius_mm = arc_mm / std::numbers::pi;
+    const double along_mm = step.take_share > 0 ? step.take_share * arc_mm : kBehindPointMm;
+    const double a = along_mm / radius_mm;
+    const Vec3 wire_mm =
+        1000 * needle.pose.p + needle.pose.q * Vec3(radius_mm * Vec3(std::cos(a), std::sin(a), 0));
+    if (!place_of(wire_mm, px)) return;
+    const double r = 0.8 * unit_;
+    paint_->ring(px.x(), px.y(), r + 1.5, (r - 1.5) / (r + 1.5), kInk.faded(0.6F));
+    paint_->ring(px.x(), px.y(), r, (r - 2) / r, kAccent);
+    labels_.push_back({px.x() - r, px.y() - r, 2 * r, 2 * r});
+    label(px + Vec2(0, r + 1.5 * unit_), say("take the needle"), kAccent);
 }
 
 // Two posts beside the tip; the one to reach next is lit.

@@ -45,7 +45,7 @@ void Overlay::targets() {
     // The needle's point has to come there, not the driver's tip.
     const bool needle =
         goal.step.kind == PracticeKind::kNeedleIn || goal.step.kind == PracticeKind::kNeedleOut;
-    if (needle && goal.bites > 1 && goal.targets == 2) suture_line();
+    if (needle && goal.bites > 1 && goal.targets == 2 && snapshot_->slit == 0) suture_line();
     for (int t = 0; t < goal.targets; ++t) {
         const Vec3 mm = 1000 * goal.target_m[static_cast<size_t>(t)];
         Vec2 px, side;

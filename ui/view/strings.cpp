@@ -55,6 +55,7 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"now hold C", "teraz przytrzymaj C"},
     {"now close the jaws", "teraz zamknij szczęki"},
     {"open the jaws", "otwórz szczęki"},
+    {"turn it on, then open the jaws", "obracaj dalej, potem otwórz szczęki"},
     {"Paused", "Pauza"},
     {"Continue", "Kontynuuj"},
     {"Finish and score", "Zakończ i oceń"},

@@ -54,6 +54,7 @@ WoundMap::WoundMap(const ViewField& field, const Vec2& low_mm, const Vec2& high_
       pixels_(size_t{kSize} * kSize * 4, 0),
       whole_(static_cast<int>(field.rest.size())) {
     constexpr float kTopDepthM = 0.00002F;
+    constexpr double kFlatMm2 = 1e-3;  // seen from above; a wall has none
     for (size_t i = 0; i < pixels_.size(); i += 4) pixels_[i + 2] = pixels_[i + 3] = 128;
     for (const SurfaceTriangle& t : field.rest_triangles) {
         Top top;
@@ -65,7 +66,10 @@ WoundMap::WoundMap(const ViewField& field, const Vec2& low_mm, const Vec2& high_
             top.place[k] = 1000 * Vec2(static_cast<double>(field.rest[v][0]),
                                        static_cast<double>(field.rest[v][1]));
         }
-        if (!on_top) continue;
+        // The floor of a wound that is open from the start: nothing was ever on top of it.
+        const bool floor = t.fresh != 0 && std::abs(cross(top.place[1] - top.place[0],
+                                                          top.place[2] - top.place[0])) > kFlatMm2;
+        if (!(on_top && t.fresh == 0) && !floor) continue;
         std::sort(top.corners.begin(), top.corners.end());
         tops_.push_back(top);
     }
