@@ -180,7 +180,9 @@ bool PracticeTracker::did(const PracticeSight& sight) noexcept {
             done = did_bite(sight, index);
             break;
         case PracticeKind::kThreadDraw:
-            done = did_draw(sight.slit_gap_m);
+            done = did_draw(sight.slit_gap_m, std::hypot(static_cast<double>(tool.force_n[0]),
+                                                         static_cast<double>(tool.force_n[1]),
+                                                         static_cast<double>(tool.force_n[2])));
             break;
         case PracticeKind::kRelease:
             done = !sight.holds[i];
@@ -327,21 +329,24 @@ bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
     if (kind == PracticeKind::kNeedleIn) return in;
     if (kind == PracticeKind::kNeedleOut) return out;
     // Pushed all the way through without being taken again: nothing is left to take.
-    const bool through = now.through > through_before_;
+    const bool through = now.through > through_before_ && !now.in_tissue;
     const bool there =
         step().take_share == 0 || std::abs(now.held_share - step().take_share) <= kTakenWithin;
     return through || (kind == PracticeKind::kNeedleTake && taken && there);
 }
 
-/// Shut for a while: edges that only swing together come apart again.
-bool PracticeTracker::did_draw(double slit_gap_m) noexcept {
+/// Shut for a while, under as much pull as the step wants: edges that only swing together come
+/// apart again, and thread gives a little when it is let go.
+bool PracticeTracker::did_draw(double slit_gap_m, double pull_n) noexcept {
     if (slit_gap_m < 0) return true;  // nothing to shut
     amount_ = std::max(amount_, slit_gap_m);
-    const bool shut = slit_gap_m <= step().tolerance_m;
-    held_s_ = shut ? held_s_ + dt_ : 0;
-    const double way = amount_ - step().tolerance_m;
-    progress_ = shut ? 1 : std::clamp((amount_ - slit_gap_m) / way, 0.0, 1.0);
-    return shut && held_s_ >= step().hold_s;
+    const bool shut = slit_gap_m <= step().tolerance_m, taut = pull_n >= step().low_n;
+    held_s_ = shut && taut ? held_s_ + dt_ : 0;
+    const double way = amount_ - step().tolerance_m, half = step().low_n > 0 ? 0.5 : 1;
+    progress_ = !shut  ? half * std::clamp((amount_ - slit_gap_m) / way, 0.0, 1.0)
+                : taut ? 1
+                       : half + half * pull_n / step().low_n;
+    return shut && taut && held_s_ >= step().hold_s;
 }
 
 void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& out) {

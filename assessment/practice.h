@@ -17,7 +17,8 @@ namespace placode::assessment {
 /// What was done with a suture needle so far.
 struct NeedleSight {
     int taken = 0, entered = 0, left = 0, through = 0;
-    double held_share = 0;  ///< Where the jaws took it last, along its arc from the point.
+    bool in_tissue = false;  ///< Some of it; it may have left the first wall of a slit already.
+    double held_share = 0;   ///< Where the jaws took it last, along its arc from the point.
     sim::Vec3 entry_m = sim::Vec3::Zero(), exit_m = sim::Vec3::Zero();  ///< The last, at rest.
     /// It went into a wall of a slit, or came out of one: half of a bite.
     bool entry_in_slit = false, exit_in_slit = false;
@@ -80,7 +81,7 @@ class PracticeTracker {
     [[nodiscard]] bool did_trace(const sim::ToolSample& tool, int index, double time_s) noexcept;
     [[nodiscard]] bool did_traction(const PracticeSight& sight) noexcept;
     [[nodiscard]] bool did_bite(const PracticeSight& sight, int tool) noexcept;
-    [[nodiscard]] bool did_draw(double slit_gap_m) noexcept;
+    [[nodiscard]] bool did_draw(double slit_gap_m, double pull_n) noexcept;
     void close_bin(int tool, double time_s) noexcept;
     void close_traction(double time_s) noexcept;
 

@@ -17,6 +17,11 @@ constexpr double kPieceShare = 0.3;   // of the marked volume: less is a shred, 
 constexpr double kBegunShare = 0.85;  // of the marked volume left: look anew where to take hold
 constexpr double kAboutM = 5e-4;      // around the place to take hold: how high the tissue is there
 
+/// Some of the needle is; drawn through both walls of a slit it leaves one before the other.
+bool in_tissue(const sim::Suturing& suturing) noexcept {
+    return suturing.placed != 0 && suturing.needle[0].passage_count > 0;
+}
+
 }  // namespace
 
 OperatorSight::OperatorSight(const sim::Scene& scene)
@@ -138,6 +143,7 @@ void OperatorSight::look_at_placode(const sim::State& state) noexcept {
 
 void OperatorSight::look(const sim::State& state) noexcept {
     look_at_placode(state);
+    if (!in_tissue(state.suturing)) drawn_through_ = state.suturing.through;
     look_at(state, scene_.contour_anchors, contour_, contour_normal_);
     look_at(state, scene_.resection.anchors, outline_, outline_normal_);
     if (outline_.empty()) return;
@@ -186,7 +192,7 @@ haptics::Perception OperatorSight::seen(const sim::State& state) const noexcept 
         seen.needle_arc_m = scene_.suture->needle().arc_m();
         seen.bites = suturing.entered;
         seen.exits = suturing.left;
-        seen.drawn_through = suturing.through;
+        seen.drawn_through = in_tissue(suturing) ? drawn_through_ : suturing.through;
     }
     return seen;
 }

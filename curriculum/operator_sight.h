@@ -36,6 +36,8 @@ class OperatorSight {
     std::vector<int32_t> placode_vertices_;  // of the placode's tets
     std::array<double, sim::kMaxTools> placode_gap_m_{}, placode_metal_gap_m_{};
     double left_share_ = 1, held_share_ = 0;
+    int drawn_through_ =
+        0;  ///< Times that the needle had left a channel when last all of it was out.
 };
 
 }  // namespace placode::curriculum

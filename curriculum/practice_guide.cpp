@@ -139,6 +139,7 @@ void PracticeGuide::look_at_needle(const sim::State& state,
     needle.entered = s.entered;
     needle.left = s.left;
     needle.through = s.through;
+    needle.in_tissue = s.needle[0].passage_count > 0;
     for (int k = 0; k < 3; ++k) {
         needle.entry_m[k] = static_cast<double>(s.entry_m[static_cast<size_t>(k)]);
         needle.exit_m[k] = static_cast<double>(s.exit_m[static_cast<size_t>(k)]);

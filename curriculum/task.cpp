@@ -119,6 +119,8 @@ TaskStep read_task_step(const Json& json, const std::string& origin, const std::
     read_places(json, origin, pointer, goal);
     goal.tolerance_m = json.value("tolerance_m", goal.tolerance_m);
     goal.take_share = json.value("take_share", goal.take_share);
+    // Whoever draws a thread pulls as much as shuts the slit, where nothing else is said.
+    if (goal.kind == sim::PracticeKind::kThreadDraw) goal.low_n = 0;
     goal.low_n = json.value("low_n", goal.low_n);
     goal.high_n = json.value("high_n", goal.high_n);
     if (goal.low_n >= goal.high_n)

@@ -218,6 +218,22 @@ TEST(Practice, ANeedlePushedThroughInOneGoEndsTheBite) {
     EXPECT_TRUE(attempt.tracker().done());
 }
 
+TEST(Practice, ANeedleThatHasLeftOneWallOfASlitIsNotDrawnThrough) {
+    Attempt attempt({{.kind = PracticeKind::kNeedleOut}, {.kind = PracticeKind::kNeedleThrough}});
+    attempt.needle.in_tissue = true;
+    attempt.see();
+    attempt.needle.left = 1;
+    attempt.see();
+    EXPECT_EQ(attempt.tracker().index(), 1);
+    attempt.needle.through = 1;  // the first wall
+    attempt.see(20);
+    EXPECT_FALSE(attempt.tracker().done());
+    attempt.needle.through = 2;
+    attempt.needle.in_tissue = false;
+    attempt.see();
+    EXPECT_TRUE(attempt.tracker().done());
+}
+
 TEST(Practice, APointThatComesOutWithinASlitGoesOnIntoTheOtherEdge) {
     Attempt attempt({{.kind = PracticeKind::kNeedleIn}, {.kind = PracticeKind::kNeedleOut}});
     attempt.see();
@@ -265,7 +281,8 @@ TEST(Practice, WhoComesOutOfASlitAndBeginsAnewIsMeasuredAnew) {
 }
 
 TEST(Practice, ThreadIsDrawnUntilTheSlitStaysShut) {
-    Attempt attempt({{.kind = PracticeKind::kThreadDraw, .hold_s = 0.3, .tolerance_m = 0.0002}});
+    Attempt attempt(
+        {{.kind = PracticeKind::kThreadDraw, .hold_s = 0.3, .tolerance_m = 0.0002, .low_n = 0}});
     attempt.slit_gap_m = 0.001;
     attempt.see(5);
     EXPECT_EQ(attempt.tracker().progress(), 0);
@@ -286,6 +303,28 @@ TEST(Practice, ThreadIsDrawnUntilTheSlitStaysShut) {
     Attempt without({{.kind = PracticeKind::kThreadDraw}});
     without.see();
     EXPECT_TRUE(without.tracker().done()) << "no slit: nothing to wait for";
+}
+
+TEST(Practice, ThreadIsDrawnAsHardAsTheStepWants) {
+    Attempt attempt(
+        {{.kind = PracticeKind::kThreadDraw, .hold_s = 0.3, .tolerance_m = 0.0002, .low_n = 0.1}});
+    attempt.slit_gap_m = 0.0008;
+    attempt.see();
+    attempt.slit_gap_m = 0.0005;
+    attempt.see();
+    EXPECT_NEAR(attempt.tracker().progress(), 0.25, 1e-6) << "half of it is to shut the slit";
+    attempt.slit_gap_m = 0;
+    attempt.tool(0).force_n = {0, 0.03F, 0.04F};
+    attempt.see(50);
+    EXPECT_FALSE(attempt.tracker().done()) << "pressed together, not drawn";
+    EXPECT_NEAR(attempt.tracker().progress(), 0.75, 1e-6);
+    attempt.tool(0).force_n = {0, 0.06F, 0.0801F};
+    attempt.slit_gap_m = 0.0003;
+    attempt.see(50);
+    EXPECT_FALSE(attempt.tracker().done()) << "drawn, not shut";
+    attempt.slit_gap_m = 0;
+    attempt.see(32);
+    EXPECT_TRUE(attempt.tracker().done());
 }
 
 TEST(Practice, ABiteIsMeasuredFromItsMarksAndMayBeginAnew) {

@@ -23,6 +23,7 @@ constexpr double kOpenRad = 0.5, kJawRadS = 1.5, kPatienceS = 20;
 constexpr double kStrainS = 0.5;    // without getting on, before it lets go
 constexpr double kAskewM = 1e-3;    // between the jaws and where they would be on the circle
 constexpr int kMostMisses = 4;      // of the jaws, before it gives up
+constexpr int kMostRetries = 2;     // of a bite that does not come out
 constexpr double kDrawM_s = 0.015;  // of slack thread
 constexpr double kTautN = 0.02;     // from here on the thread pulls
 
@@ -31,7 +32,7 @@ constexpr double kTautN = 0.02;     // from here on the thread pulls
 const SutureHabits& suture_habits(OperatorLevel level) noexcept {
     static const std::array habits{SutureHabits{},
                                    SutureHabits{5e-3, 4e-4, 0.06, 0, 2.6e-3, 2e-3, 0.25},
-                                   SutureHabits{9e-3, 9e-4, 0.15, 1, 2.6e-3, 4e-3, 0.35}};
+                                   SutureHabits{9e-3, 9e-4, 0.15, 1, 2.6e-3, 4e-3, 0.28}};
     return habits[static_cast<size_t>(level)];
 }
 
@@ -120,7 +121,13 @@ void SutureOperator::drive(const Plane& p, double dt_s) noexcept {
     const bool out = out_rad_ > 0 && point_rad_ > out_rad_ + habits_.out_m / radius_m_;
     // The jaws must not be pushed into the tissue.
     const bool low = point_rad_ - held_rad_ > entry_rad_ - 0.15;
-    if (out || low) stage(Stage::kOpen);
+    // As far round as it goes and still inside, or up through a slit: back, and in once more.
+    if (low && out_rad_ == 0 && retries_ < kMostRetries) {
+        ++retries_;
+        stage(Stage::kDrawBack);
+    } else if (out || low) {
+        stage(Stage::kOpen);
+    }
 }
 
 /// Behind the point, or where it is held to bite; from behind the wire.
@@ -224,7 +231,7 @@ void SutureOperator::next_bite() noexcept {
     exits_ = seen_.exits;
     drawn_ = seen_.drawn_through;
     bites_ = seen_.bites;
-    starts_ = misses_ = 0;
+    starts_ = misses_ = retries_ = 0;
     out_rad_ = 0;
 }
 
@@ -254,6 +261,11 @@ void SutureOperator::go_on(const Plane& p, double dt_s) noexcept {
             drive(p, dt_s);
             break;
         case Stage::kDrawBack:
+            if (too_hard()) {
+                strained_s_ += dt_s;
+                if (strained_s_ > kStrainS) stage(Stage::kDone);
+                break;
+            }
             point_rad_ -= habits_.speed_m_s * dt_s / radius_m_;
             static_cast<void>(hand_.glide(hold_at(p, centre_, point_rad_ - held_rad_), 0.05, dt_s));
             if (point_rad_ > entry_rad_ - kBeforeM / radius_m_) break;

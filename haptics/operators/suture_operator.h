@@ -88,7 +88,7 @@ class SutureOperator final : public ScriptedOperator {
     double grip_rad_ = 0, side_ = 1, out_rad_ = 0;
     double take_m_ = 0;  ///< Where it is taken next, from the point.
     Vec3 out_mark_m_ = Vec3::Zero();
-    int starts_ = 0, bites_ = 0, misses_ = 0;
+    int starts_ = 0, bites_ = 0, misses_ = 0, retries_ = 0;
     int exits_ = 0, drawn_ = 0;  ///< Before this bite.
 };
 

@@ -48,7 +48,8 @@ struct PracticeStep {
     std::array<Vec2, 2> place_m{Vec2::Zero(), Vec2::Zero()};  ///< In the field's plane at rest [m].
     double tolerance_m = 0.001;  ///< Distance from target or line, or gap, that still counts.
     double take_share = 0;  ///< Needle taken about here along its arc, from the point; 0: anywhere.
-    double low_n = 0.01, high_n = 0.1;  ///< Traction of each hand.
+    double low_n = 0.01,
+           high_n = 0.1;  ///< Traction of each hand; pull on a thread, from 0 or more.
 };
 
 /// Where practice stands: what a person sees in the overlay.

@@ -100,7 +100,8 @@ void Overlay::force_bar(int which, double y, bool named) {
     const double w = 7.0 * unit_, h = 0.5 * unit_;
     const double f = force_of(tool);
     const PracticeStep& step = state_->practice.goal.step;
-    const bool band = practising() && step.kind == PracticeKind::kTraction;
+    const bool band = practising() && (step.kind == PracticeKind::kTraction ||
+                                       (step.kind == PracticeKind::kThreadDraw && step.low_n > 0));
     const double full = band ? 1.6 * step.high_n : state_->full_force_n;
     const double share = std::clamp(f / std::max(full, 1e-6), 0.0, 1.0);
     Colour colour = share > 0.85 ? kCritical : share > 0.5 ? kWarn : kGood;
