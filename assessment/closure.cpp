@@ -6,14 +6,12 @@
 #include <vector>
 
 #include "assessment/loci.h"
+#include "sim/contact/slit_flow.h"
 
 namespace placode::assessment {
 namespace {
 
-// Amniotic and cerebrospinal fluid at 37 C.
-constexpr double kViscosityPaS = 0.7e-3, kDensityKgM3 = 1005;
-constexpr double kDischarge = 0.6;  // of a sharp-edged orifice
-constexpr double kMlMinPerM3S = 6e7;
+constexpr double kMlMinPerM3S = 6e7, kPaPerCmH2O = 98.0665;
 
 double apart_m(const sim::Event& a, const sim::Event& b) {
     return (rest_place(a) - rest_place(b)).norm();
@@ -37,13 +35,33 @@ double whole_leak_m3_s(const std::vector<const sim::Event*>& stations, double de
 }  // namespace
 
 double leak_m3_s(const LeakyGap& gap) {
-    const double w = gap.length_m, g0 = gap.mouth_m, g1 = gap.neck_m;
-    if (!(w > 0 && g0 > 0 && g1 > 0)) return 0;
-    // p = a Q^2 + b Q, solved without a difference of near numbers.
-    const double area = kDischarge * w * g1;
-    const double a = kDensityKgM3 / (2 * area * area);
-    const double b = 12 * kViscosityPaS * gap.depth_m * (g0 + g1) / (2 * g0 * g0 * g1 * g1 * w);
-    return 2 * kLeakPa / (b + std::sqrt(b * b + 4 * a * kLeakPa));
+    sim::SlitStretch stretch;
+    stretch.length_m = gap.length_m;
+    stretch.layers = 1;
+    stretch.gap_m = {gap.mouth_m, gap.neck_m};
+    stretch.depth_m = {0, gap.depth_m};
+    return sim::flow_through(stretch, kLeakPa).flow_m3_s;
+}
+
+std::optional<Watertight> watertight_of(const sim::Recording& recording) {
+    Watertight out;
+    int wholes = 0;
+    bool ended = false;
+    for (const sim::Event& e : recording.events) {
+        if (e.kind != sim::EventKind::kWatertight) continue;
+        const auto value = static_cast<double>(e.value);
+        if (e.element == -1) {
+            (wholes == 0 ? out.pass_m3_s : out.good_m3_s) = value;
+            ++wholes;
+        } else if (e.element == -2) {
+            out.held_pa = static_cast<double>(e.value2);
+            ended = true;
+        } else if (wholes == 1 && (out.worst == nullptr || e.value > out.worst->value)) {
+            out.worst = &e;
+        }
+    }
+    if (wholes != 2 || !ended) return std::nullopt;
+    return out;
 }
 
 const sim::Event* widest_gap(const sim::Recording& recording) {
@@ -74,7 +92,12 @@ void add_closure_metrics(const sim::Recording& recording, std::vector<Metric>& o
     out.push_back({"slit_shut_percent", 100 * shut / count});
     out.push_back({"slit_gap_mean_mm", 1e3 * sum / count});
     out.push_back({"slit_gap_widest_mm", 1e3 * static_cast<double>(widest->value)});
-    if (depth_m > 0)
+    if (const std::optional<Watertight> test = watertight_of(recording)) {
+        out.push_back({"slit_leak_6_ml_min", kMlMinPerM3S * test->pass_m3_s});
+        out.push_back({"slit_leak_12_ml_min", kMlMinPerM3S * test->good_m3_s});
+        // Rounded down: an open slit holds nothing, and not a hundredth.
+        out.push_back({"slit_burst_cmh2o", std::floor(10 * test->held_pa / kPaPerCmH2O) / 10});
+    } else if (depth_m > 0)
         out.push_back({"slit_leak_ml_min", kMlMinPerM3S * whole_leak_m3_s(stations, depth_m)});
 }
 

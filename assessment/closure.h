@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How well a slit was sewn up: what is left of its opening when the attempt ends.
+// How well a slit was sewn up: what is left of its opening when the attempt ends, and what it
+// holds.
+
+#include <optional>
 
 #include "assessment/metrics.h"
+#include "sim/world/slit.h"
 
 namespace placode::assessment {
 
@@ -13,9 +17,8 @@ namespace placode::assessment {
 /// Edges this near at the end count as shut [m].
 inline constexpr double kShutM = 0.0002;
 
-/// A leak is stated at this pressure: 6 cmH2O [Pa]. In the sac 6 to 12.5 cmH2O were measured
-/// during repair. Source: J Pediatr Surg 2020;55:726 (abstract).
-inline constexpr double kLeakPa = 588.4;
+/// A leak between rigid walls is stated at this pressure [Pa].
+inline constexpr double kLeakPa = sim::WatertightSpec::kPassPa;
 
 /// A stretch of a slit that goes right through tissue of rigid walls [m].
 struct LeakyGap {
@@ -24,14 +27,21 @@ struct LeakyGap {
     double depth_m = 0;              ///< The walls taper straight from mouth to neck.
 };
 
-/// Fluid that it lets through at kLeakPa [m3/s]: viscous between the walls, and through the neck as
-/// through an orifice, in series. Nothing where it is shut; finite for every finite gap.
-/// Source: Reynolds' lubrication, 12 mu L Q / (w g^3), its integral over a taper; Torricelli with
-/// a discharge coefficient of 0.6.
+/// Fluid that it lets through at kLeakPa [m3/s]: sim/contact/slit_flow.h. Nothing where it is shut;
+/// finite for every finite gap.
 [[nodiscard]] double leak_m3_s(const LeakyGap& gap);
 
-/// Share that is shut, mean and widest gap, leak; nothing where there was no slit, no leak where
-/// its depth was not recorded.
+/// A slit put under pressure (sim/step/watertight.h).
+struct Watertight {
+    double pass_m3_s = 0, good_m3_s = 0;  ///< Leak at the lower and at the higher pressure.
+    double held_pa = 0;                   ///< It burst here, or the pressure rose no further.
+    const sim::Event* worst = nullptr;    ///< The station that leaks most at the lower one.
+};
+/// Absent where it was not tested, or the test was not finished.
+[[nodiscard]] std::optional<Watertight> watertight_of(const sim::Recording& recording);
+
+/// Share that is shut, mean and widest gap, leaks, pressure that it held; nothing where there was
+/// no slit. The leak between rigid walls only where it was not tested and its depth was recorded.
 void add_closure_metrics(const sim::Recording& recording, std::vector<Metric>& out);
 
 }  // namespace placode::assessment

@@ -318,6 +318,11 @@ std::optional<Locus> locate_suture(std::string_view metric, const sim::Recording
     }
     if (metric.substr(0, 5) == "slit_") {
         const Event* widest = widest_gap(recording);
+        if (metric != "slit_leak_ml_min" && metric.find("gap") == metric.npos &&
+            metric.find("shut") == metric.npos) {
+            const std::optional<Watertight> test = watertight_of(recording);
+            widest = test ? test->worst : nullptr;
+        }
         if (widest == nullptr) return std::nullopt;
         Locus locus;
         locus.count = 1;

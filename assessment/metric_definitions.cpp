@@ -305,8 +305,21 @@ constexpr MetricDefinition kMetrics[] = {
      "Placode"},
     {"slit_leak_ml_min", "Leak of the slit, calculated", "ml/min", kLowerIsBetter,
      "What the slit as it is left would let through at a pressure of 6 cmH2O, were it cut right "
-     "through: calculated for rigid walls from the gap along its length.",
+     "through: calculated for rigid walls from the gap along its length. Only where no pressure "
+     "was put on it.",
      "Reynolds 1886; 6 cmH2O after J Pediatr Surg 2020;55:726"},
+    {"slit_leak_6_ml_min", "Leak of the slit at 6 cmH2O", "ml/min", kLowerIsBetter,
+     "What the slit lets through at the end when fluid below it stands at 6 cmH2O and presses its "
+     "walls apart, hands off.",
+     "Reynolds 1886; pressure after J Pediatr Surg 2020;55:726"},
+    {"slit_leak_12_ml_min", "Leak of the slit at 12.5 cmH2O", "ml/min", kLowerIsBetter,
+     "What the slit lets through at the end when fluid below it stands at 12.5 cmH2O and presses "
+     "its walls apart, hands off.",
+     "Reynolds 1886; pressure after J Pediatr Surg 2020;55:726"},
+    {"slit_burst_cmh2o", "Burst pressure of the slit", "cmH2O", kHigherIsBetter,
+     "Pressure below the slit at which more than 10 ml/min pass it, rounded down to 0.1; the test "
+     "ends at 40 cmH2O.",
+     "Placode"},
     {"needle_entries", "Entries of the needle", "", kLowerIsBetter,
      "Times that the needle's point opened a surface from outside.", "Placode"},
     {"needle_regrasps", "Needle taken again", "", kLowerIsBetter,

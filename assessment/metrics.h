@@ -14,8 +14,8 @@
 
 namespace placode::assessment {
 
-/// 11: leak of a slit.
-inline constexpr int kMetricSetVersion = 11;
+/// 12: a slit under pressure.
+inline constexpr int kMetricSetVersion = 12;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

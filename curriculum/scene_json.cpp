@@ -142,6 +142,12 @@ void visit_slit(const V& v, S& s) {
     v("edge_m", s.edge_m);
 }
 
+template <class V, class W>
+void visit_watertight(const V& v, W& w) {
+    v("most_pa", w.most_pa);
+    v("burst_m3_s", w.burst_m3_s);
+}
+
 template <class V, class N>
 void visit_needle(const V& v, N& n) {
     v("arc_m", n.arc_m);
@@ -319,6 +325,24 @@ Json suture_to_json(const sim::FieldSuture& suture) {
     return json;
 }
 
+sim::FieldSlit slit_from_json(const Json& json) {
+    sim::FieldSlit out;
+    visit_slit(Reader{json}, out);
+    if (json.contains("watertight"))
+        visit_watertight(Reader{json["watertight"]}, out.watertight.emplace());
+    return out;
+}
+
+Json slit_to_json(const sim::FieldSlit& slit) {
+    Json json;
+    visit_slit(Writer{json}, slit);
+    if (slit.watertight) {
+        json["watertight"] = Json::object();
+        visit_watertight(Writer{json["watertight"]}, *slit.watertight);
+    }
+    return json;
+}
+
 }  // namespace
 
 OperativeFieldSpec scene_from_json(const Json& scene, const std::string& origin,
@@ -338,7 +362,7 @@ OperativeFieldSpec scene_from_json(const Json& scene, const std::string& origin,
         if (scene.contains("solver")) visit_solver(Reader{scene["solver"]}, spec.solver);
         if (scene.contains("sac")) visit_sac(Reader{scene["sac"]}, spec.sac);
         if (scene.contains("suture")) spec.suture = suture_from_json(scene["suture"]);
-        if (scene.contains("slit")) visit_slit(Reader{scene["slit"]}, spec.slit.emplace());
+        if (scene.contains("slit")) spec.slit = slit_from_json(scene["slit"]);
         if (scene.contains("contact")) visit_contact(Reader{scene["contact"]}, spec.contact);
         spec.heat = scene.contains("heat") && scene["heat"].value("enabled", true);
         if (spec.heat) visit_heat(Reader{scene["heat"]}, spec.heat_settings);
@@ -362,7 +386,7 @@ Json scene_to_json(const OperativeFieldSpec& spec) {
     visit_sac(Writer{scene["sac"]}, spec.sac);
     visit_contact(Writer{scene["contact"]}, spec.contact);
     if (spec.suture) scene["suture"] = suture_to_json(*spec.suture);
-    if (spec.slit) visit_slit(Writer{scene["slit"]}, *spec.slit);
+    if (spec.slit) scene["slit"] = slit_to_json(*spec.slit);
     scene["heat"]["enabled"] = spec.heat;
     visit_heat(Writer{scene["heat"]}, spec.heat_settings);
     scene["tools"] = Json::array();

@@ -83,6 +83,44 @@ TEST(Closure, ALeakIsTheSumAlongTheSlitAndUnknownWithoutItsDepth) {
     EXPECT_NEAR(*set.find("slit_leak_ml_min") / (6e7 * expected), 1, 1e-5);
 }
 
+sim::Event pressed(int element, double flow_m3_s, double pressure_pa) {
+    sim::Event event;
+    event.kind = sim::EventKind::kWatertight;
+    event.element = element;
+    event.value = static_cast<float>(flow_m3_s);
+    event.value2 = static_cast<float>(pressure_pa);
+    event.rest_position_m = {0.009F, 0.001F * static_cast<float>(element), 0};
+    return event;
+}
+
+TEST(Closure, UnderPressureTheMeasuredLeakTakesThePlaceOfTheCalculatedOne) {
+    sim::Recording recording;
+    recording.events = {station(-1, 0, 0), station(0, 0.0001, -0.004), station(1, 0.0002, 0.001)};
+    recording.events[0].value2 = 0.8e-3F;
+    for (size_t i = 1; i < 3; ++i) recording.events[i].value2 = recording.events[i].value;
+    const std::vector<sim::Event> test{pressed(-1, 5e-8, 588.4),  pressed(0, 1e-8, 588.4),
+                                       pressed(1, 4e-8, 588.4),   pressed(-1, 2e-7, 1225.8),
+                                       pressed(0, 19e-8, 1225.8), pressed(1, 1e-8, 1225.8),
+                                       pressed(-2, 1.7e-7, 1000)};
+    recording.events.insert(recording.events.end(), test.begin(), test.end());
+    MetricSet set;
+    add_closure_metrics(recording, set.values);
+    EXPECT_NEAR(*set.find("slit_leak_6_ml_min"), 3, 1e-5);
+    EXPECT_NEAR(*set.find("slit_leak_12_ml_min"), 12, 1e-5);
+    // 1,000 Pa are 10.197 cmH2O, rounded down.
+    EXPECT_NEAR(*set.find("slit_burst_cmh2o"), 10.1, 1e-9);
+    EXPECT_FALSE(set.find("slit_leak_ml_min"));
+    // A reason shows the station that leaks most at the lower pressure.
+    EXPECT_NEAR(locate("slit_burst_cmh2o", 12.5, recording).at_m->y(), 0.001, 1e-7);
+    EXPECT_NEAR(locate("slit_gap_widest_mm", 0.2, recording).at_m->y(), 0.001, 1e-7);
+    // Broken off in the middle it says nothing.
+    recording.events.pop_back();
+    set.values.clear();
+    add_closure_metrics(recording, set.values);
+    EXPECT_FALSE(set.find("slit_burst_cmh2o"));
+    EXPECT_TRUE(set.find("slit_leak_ml_min"));
+}
+
 TEST(Closure, ASlitThatIsShutHasNoGap) {
     sim::Recording recording;
     recording.events = {station(-1, 0, 0), station(0, 0, -0.004), station(1, 0, 0.001)};

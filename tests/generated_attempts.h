@@ -219,6 +219,13 @@ class AttemptMaker {
             const double gap_m = i < static_cast<int>(share * kStations + 1e-9) ? 0 : 0.00095;
             put(recording, EventKind::kSlitGap, 30, gap_m, gap_m, kRowX, 0.0005 * i).element = i;
         }
+        // Under pressure: open anywhere it bursts at once.
+        const bool tight = share > 1 - 0.5 / kStations;
+        for (const double pa : {sim::WatertightSpec::kPassPa, sim::WatertightSpec::kGoodPa})
+            put(recording, EventKind::kWatertight, 30, tight ? 0 : 5e-6 * (1 - share), pa).element =
+                -1;
+        put(recording, EventKind::kWatertight, 30, tight ? 0 : 2e-7, tight ? 3922.7 : 1).element =
+            -2;
     }
 
     /// An event anywhere on the lesion and at any time.

@@ -131,6 +131,11 @@ class Checker {
                             "needle_driver");
     }
 
+    void watertight(const WatertightSpec& w) const {
+        range("slit.watertight.most_pa", w.most_pa, WatertightSpec::kGoodPa, 20000);
+        range("slit.watertight.burst_m3_s", w.burst_m3_s, 1e-12, 1e-3);
+    }
+
     void slit() const {
         if (!spec_.slit) return;
         const FieldSlit& s = *spec_.slit;
@@ -139,6 +144,7 @@ class Checker {
         range("slit.width_m", s.width_m, 1.5 * s.edge_m, 0.01);
         range("slit.layers", s.layers, 1, kFieldLayers - 1);
         range("slit: length", (s.to_m - s.from_m).norm(), 2 * s.width_m, 0.1);
+        if (s.watertight) watertight(*s.watertight);
         if (!spec_.contact.self_contact)
             throw MeshError("operative field '" + spec_.id +
                             "': contact.self_contact: false, but the edges of a slit must meet; "

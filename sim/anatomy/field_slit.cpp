@@ -95,6 +95,7 @@ Slit make_slit(const OperativeFieldSpec& spec, const SlitOutline& outline, size_
     Slit slit;
     if (outline.empty()) return slit;
     slit.layers = spec.slit->layers;
+    slit.watertight = spec.slit->watertight;
     slit.side.assign(vertices, 0);
     for (size_t i = 1; i + 1 < outline.left.size(); ++i) {
         Slit::Station station{vertices_at(outline.left[i]), vertices_at(outline.right[i])};

@@ -190,6 +190,18 @@ void tie_tethers(const OperativeFieldSpec& spec, const FieldMesh& field, SoftBod
     }
 }
 
+// Walls and floor of a slit that will be tested under pressure bear loads (set_load()).
+void take_pressure(const FieldMesh& field, SoftBodySpec& body) {
+    if (!field.slit.watertight) return;
+    for (const Slit::Station& station : field.slit.stations) {
+        for (size_t level = 0; level <= static_cast<size_t>(field.slit.layers); ++level) {
+            for (const int32_t v : {station.left[level], station.right[level]})
+                body.springs.push_back(
+                    {v, field.mesh.rest[static_cast<size_t>(v)], Vec3::UnitZ(), 0, 0});
+        }
+    }
+}
+
 void add_landmarks(const OperativeFieldSpec& spec, const FieldShape& shape, const FieldMesh& field,
                    Scene& scene) {
     SurfaceLine contour = laid_on_surface(field, shape.contour(), kLandmarkPoints);
@@ -274,6 +286,7 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     for (const int32_t v : sac.vertices) {
         body.springs.push_back({v, field.mesh.rest[v], Vec3::UnitZ(), 0, 0});
     }
+    take_pressure(field, body);
     const bool scissors = std::any_of(spec.tools.begin(), spec.tools.end(), [](const ToolSpec& t) {
         return t.kind == ToolKind::kScissors;
     });

@@ -37,6 +37,7 @@ struct FieldSlit {
     double width_m = 0.001;  ///< In its middle.
     int layers = 2;          ///< From the surface down, that are parted.
     double edge_m = 0.0005;  ///< Of the triangles along it.
+    std::optional<WatertightSpec> watertight = std::nullopt;  ///< Slit::watertight.
 };
 
 /// Parameters in SI. Defaults are those of the default preset.

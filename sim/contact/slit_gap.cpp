@@ -76,25 +76,6 @@ double depth_at_rest(const Scene& scene, const Slit::Station& station) noexcept 
     return (rest_of(scene, station.left[0]) - rest_of(scene, station.left[floor])).norm();
 }
 
-/// Nothing of a wall has been torn or burned away at this vertex.
-bool is_whole(const Scene& scene, const State& state, int32_t v) noexcept {
-    const auto around = scene.body.tets_of(v);
-    return std::all_of(around.begin(), around.end(), [&](int32_t t) {
-        return state.body.tet_alive[static_cast<size_t>(t)] != 0;
-    });
-}
-
-/// Where a wall has a hole the slit is as open as it was at first, wherever the rags lie: tissue
-/// that is torn out lets the edges come together, and must not count as closing them.
-double open_gap(const Scene& scene, const State& state, int station, int level) noexcept {
-    const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
-    const int32_t left = s.left[static_cast<size_t>(level)],
-                  right = s.right[static_cast<size_t>(level)];
-    if (is_whole(scene, state, left) && is_whole(scene, state, right))
-        return slit_gap(scene, state, station, level);
-    return std::max(0.0, (rest_of(scene, right) - rest_of(scene, left)).norm() - kTissueGapM);
-}
-
 }  // namespace
 
 double slit_gap(const Scene& scene, const State& state, int station, int level) noexcept {
@@ -110,6 +91,22 @@ double slit_gap(const Scene& scene, const State& state, int station, int level) 
     // One that has passed the other wall by a little is not apart from it.
     if (from_left.dot(across) <= 0 || from_right.dot(across) >= 0) return 0;
     return std::max(0.0, std::min(from_left.norm(), from_right.norm()) - kTissueGapM);
+}
+
+bool is_whole(const Scene& scene, const State& state, int32_t v) noexcept {
+    const auto around = scene.body.tets_of(v);
+    return std::all_of(around.begin(), around.end(), [&](int32_t t) {
+        return state.body.tet_alive[static_cast<size_t>(t)] != 0;
+    });
+}
+
+double open_gap(const Scene& scene, const State& state, int station, int level) noexcept {
+    const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
+    const int32_t left = s.left[static_cast<size_t>(level)],
+                  right = s.right[static_cast<size_t>(level)];
+    if (is_whole(scene, state, left) && is_whole(scene, state, right))
+        return slit_gap(scene, state, station, level);
+    return std::max(0.0, (rest_of(scene, right) - rest_of(scene, left)).norm() - kTissueGapM);
 }
 
 double narrowest_gap(const Scene& scene, const State& state, int station) noexcept {

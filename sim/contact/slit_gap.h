@@ -21,6 +21,14 @@ struct State;
 /// The least over the depth: nothing passes a slit that is shut at any depth.
 [[nodiscard]] double narrowest_gap(const Scene& scene, const State& state, int station) noexcept;
 
+/// As slit_gap(), but where tissue of a wall is gone as open as it was at rest, wherever the rags
+/// lie: tissue that is torn out lets the edges come together, and must not count as closing them.
+[[nodiscard]] double open_gap(const Scene& scene, const State& state, int station,
+                              int level) noexcept;
+
+/// Nothing has been torn or burned away at this vertex.
+[[nodiscard]] bool is_whole(const Scene& scene, const State& state, int32_t vertex) noexcept;
+
 /// Station whose middle lies nearest to a place in the plane at rest [m]; -1 without a slit.
 [[nodiscard]] int nearest_station(const Scene& scene, const Vec2& place) noexcept;
 

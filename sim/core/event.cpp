@@ -109,6 +109,8 @@ std::string_view event_name(EventKind kind) noexcept {
             return "ledger_written";
         case EventKind::kSlitGap:
             return "slit_gap";
+        case EventKind::kWatertight:
+            return "watertight";
         case EventKind::kNeedleTaken:
             return "needle_taken";
         case EventKind::kNeedleReleased:
@@ -160,7 +162,7 @@ bool only_in_recording(EventKind kind) noexcept {
            kind == EventKind::kStretchSum || kind == EventKind::kThermalSpread ||
            kind == EventKind::kTakenOut || kind == EventKind::kMarkedLost ||
            kind == EventKind::kRingGap || kind == EventKind::kSlitGap ||
-           kind == EventKind::kLedgerWritten;
+           kind == EventKind::kWatertight || kind == EventKind::kLedgerWritten;
 }
 
 }  // namespace placode::sim

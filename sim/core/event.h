@@ -98,6 +98,9 @@ enum class EventKind : uint16_t {
                     ///< its walls stand apart [m], the least over the depth, value2 = the same at
                     ///< the surface, element = station, rest_position = its middle. The first has
                     ///< element -1, value = number of stations, value2 = depth of the slit [m]
+    kWatertight = 87,  ///< after the last frame, a slit under pressure (sim/step/watertight.h):
+                       ///< value = leak [m3/s], value2 = pressure [Pa], element = station, -1 = of
+                       ///< all, -2 = the pressure at which it burst, or the highest where it held
     // Needle and thread (sim/suture). Place: on the tissue at rest, or of the jaws for those of the
     // hold. hash = number of the channel, 1 for the first bite.
     kNeedleTaken = 90,  ///< jaws closed on the needle: value = where, from the point [m], value2 =

@@ -7,6 +7,7 @@
 
 #include "sim/contact/slit_gap.h"
 #include "sim/step/step.h"
+#include "sim/step/watertight.h"
 #include "sim/world/saved_state.h"
 #include "sim/world/scene.h"
 
@@ -31,6 +32,8 @@ std::vector<Event> slit_when_let_go(const Scene& scene, const State& state) {
     for (int i = 0; i < frames; ++i)
         (void)step(scene, after, {nobody.data(), tools}, {feedback.data(), tools});
     std::vector<Event> events = slit_events(scene, after);
+    const std::vector<Event> leak = watertight_events(scene, after);
+    events.insert(events.end(), leak.begin(), leak.end());
     for (Event& event : events) event.time_s = state.time_s;
     return events;
 }

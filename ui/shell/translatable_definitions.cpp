@@ -225,7 +225,20 @@ namespace {
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
         "What the slit as it is left would let through at a pressure of 6 cmH2O, were it cut right "
-        "through: calculated for rigid walls from the gap along its length."),
+        "through: calculated for rigid walls from the gap along its length. Only where no pressure "
+        "was put on it."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "What the slit lets through at the end when fluid below it stands at 6 cmH2O and presses "
+        "its walls apart, hands off."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "What the slit lets through at the end when fluid below it stands at 12.5 cmH2O and "
+        "presses its walls apart, hands off."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Pressure below the slit at which more than 10 ml/min pass it, rounded down to 0.1; the "
+        "test ends at 40 cmH2O."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
         "Bites of a row that came out and through which all of the needle was drawn."),

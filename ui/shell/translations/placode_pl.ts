@@ -2412,6 +2412,18 @@
         <translation>Przeciek przez rozcięcie, obliczony</translation>
     </message>
     <message>
+        <source>Leak of the slit at 6 cmH2O</source>
+        <translation>Przeciek przez rozcięcie przy 6 cmH2O</translation>
+    </message>
+    <message>
+        <source>Leak of the slit at 12.5 cmH2O</source>
+        <translation>Przeciek przez rozcięcie przy 12,5 cmH2O</translation>
+    </message>
+    <message>
+        <source>Burst pressure of the slit</source>
+        <translation>Ciśnienie, przy którym szew puszcza</translation>
+    </message>
+    <message>
         <source>Entry beside its mark, worst bite</source>
         <translation>Wkłucie obok znaku, najgorszy ścieg</translation>
     </message>
@@ -3342,8 +3354,20 @@
         <translation>Na ile brzegi rozcięcia są na końcu oddalone od siebie, na tej głębokości, gdzie są najbliżej: w najszerszym miejscu.</translation>
     </message>
     <message>
-        <source>What the slit as it is left would let through at a pressure of 6 cmH2O, were it cut right through: calculated for rigid walls from the gap along its length.</source>
-        <translation>Ile płynu przepuściłoby rozcięcie, tak jak je zostawiono, przy ciśnieniu 6 cmH2O, gdyby przecięto je na wylot: obliczone dla sztywnych brzegów ze szczeliny wzdłuż rozcięcia.</translation>
+        <source>What the slit as it is left would let through at a pressure of 6 cmH2O, were it cut right through: calculated for rigid walls from the gap along its length. Only where no pressure was put on it.</source>
+        <translation>Ile płynu przepuściłoby rozcięcie, tak jak je zostawiono, przy ciśnieniu 6 cmH2O, gdyby przecięto je na wylot: obliczone dla sztywnych brzegów ze szczeliny wzdłuż rozcięcia. Tylko tam, gdzie nie badano go pod ciśnieniem.</translation>
+    </message>
+    <message>
+        <source>What the slit lets through at the end when fluid below it stands at 6 cmH2O and presses its walls apart, hands off.</source>
+        <translation>Ile płynu przepuszcza rozcięcie na końcu, gdy płyn pod nim ma ciśnienie 6 cmH2O i rozpycha brzegi, bez narzędzi.</translation>
+    </message>
+    <message>
+        <source>What the slit lets through at the end when fluid below it stands at 12.5 cmH2O and presses its walls apart, hands off.</source>
+        <translation>Ile płynu przepuszcza rozcięcie na końcu, gdy płyn pod nim ma ciśnienie 12,5 cmH2O i rozpycha brzegi, bez narzędzi.</translation>
+    </message>
+    <message>
+        <source>Pressure below the slit at which more than 10 ml/min pass it, rounded down to 0.1; the test ends at 40 cmH2O.</source>
+        <translation>Ciśnienie pod rozcięciem, przy którym przepływa ponad 10 ml/min, zaokrąglone w dół do 0,1; próba kończy się na 40 cmH2O.</translation>
     </message>
     <message>
         <source>Largest distance of an entry from its mark, over the bites of a row that are done.</source>

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A slit under pressure: what passes, what it holds, how its walls give way.
+#include "sim/step/watertight.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "sim/anatomy/operative_field.h"
+#include "sim/contact/self_contact.h"
+#include "sim/contact/slit_gap.h"
+#include "sim/step/slit_when_let_go.h"
+#include "sim/step/step.h"
+#include "sim/world/state.h"
+
+namespace placode::sim {
+namespace THIS_TEST {
+
+constexpr double kWidthM = 0.001, kHalfM = 0.006;
+constexpr double kPerMl = 6e7;  // ml/min of m3/s
+
+/// The pad of data/scenes/suture_slit_pad.json, without needle.
+OperativeFieldSpec pad() {
+    OperativeFieldSpec spec;
+    spec.id = "pad";
+    spec.domain_x_m = 0.0315;
+    spec.domain_y_m = 0.016;
+    spec.edge_ring_m = spec.edge_placode_m = 0.0007;
+    spec.edge_outer_m = 0.0009;
+    spec.skin_edge_a_m = spec.skin_edge_b_m = 0.0027;
+    spec.placode_a_m = spec.placode_b_m = 0.001;
+    spec.contour_offset_m = 0.0006;
+    spec.thin_skin_width_m = 0.0003;
+    spec.dome_height_m = spec.wobble = spec.groove_depth_m = spec.rim_height_m = 0;
+    spec.relief_skin_m = spec.relief_placode_m = 0;
+    spec.base_radius_x_m = spec.base_radius_y_m = 1000;
+    spec.skin_prestretch = spec.zone_prestretch = 1;
+    spec.heat = false;
+    spec.contact.self_contact = true;
+    spec.slit =
+        FieldSlit{Vec2(0.009, -kHalfM), Vec2(0.009, kHalfM), kWidthM, 2, 0.0005, WatertightSpec{}};
+    return spec;
+}
+
+/// Both walls led towards each other until they stand `left_m` apart in the middle of the slit, as
+/// threads would; held there along `held_m` of its length if any.
+void draw_together(const Scene& scene, State& state, double left_m) {
+    for (size_t v = 0; v < scene.body.mesh().rest.size(); ++v) {
+        const int side = scene.slit.side_of(static_cast<int32_t>(v));
+        if (side == 0) continue;
+        const Vec3& rest = scene.body.mesh().rest[v];
+        const double half = std::abs(rest.x() - 0.009);
+        const double goal = std::max(0.0, half - 0.5 * (left_m + kTissueGapM));
+        state.body.x[v].x = static_cast<float>(rest.x() + side * goal);
+        state.body.x[v].w = 0;
+    }
+}
+
+struct Result {
+    double pass_ml_min = -1, good_ml_min = -1, held_pa = -1, burst_ml_min = -1;
+    size_t stations = 0;
+    double sum_ml_min = 0;  ///< Of the stations, at the lower pressure.
+};
+Result read(const std::vector<Event>& events) {
+    Result out;
+    int wholes = 0;
+    for (const Event& e : events) {
+        if (e.kind != EventKind::kWatertight) continue;
+        const double ml_min = kPerMl * static_cast<double>(e.value);
+        if (e.element == -1) {
+            ++wholes;
+            (wholes == 1 ? out.pass_ml_min : out.good_ml_min) = ml_min;
+            EXPECT_NEAR(e.value2, wholes == 1 ? WatertightSpec::kPassPa : WatertightSpec::kGoodPa,
+                        3);
+        } else if (e.element == -2) {
+            out.held_pa = static_cast<double>(e.value2);
+            out.burst_ml_min = ml_min;
+        } else if (wholes == 1) {
+            ++out.stations;
+            out.sum_ml_min += ml_min;
+        }
+    }
+    EXPECT_EQ(wholes, 2);
+    return out;
+}
+
+Result tested(const Scene& scene, State& state) { return read(watertight_events(scene, state)); }
+
+TEST(Watertight, ASlitHeldShutLeaksNothingUpToTheHighestPressure) {
+    const auto scene = build_operative_field(pad());
+    State state(*scene, 1);
+    draw_together(*scene, state, 0);
+    const Result shut = tested(*scene, state);
+    EXPECT_EQ(shut.pass_ml_min, 0);
+    EXPECT_EQ(shut.good_ml_min, 0);
+    EXPECT_NEAR(shut.held_pa, 3922.7, 0.1);
+    EXPECT_EQ(shut.burst_ml_min, 0);
+    EXPECT_EQ(shut.stations, scene->slit.stations.size());
+}
+
+TEST(Watertight, AnOpenSlitLeaksLikeAnOrificeAndBurstsAtOnce) {
+    const auto scene = build_operative_field(pad());
+    State state(*scene, 1);
+    settle(*scene, state, 0.1);
+    const Result open = tested(*scene, state);
+    // 0.6 of the ellipse, less the 50 um that contact keeps walls apart; fluid rubs on them, too,
+    // and presses them apart.
+    const double area_m2 = std::numbers::pi * kHalfM * kWidthM / 2 - 2 * kHalfM * kTissueGapM;
+    const double torricelli = kPerMl * 0.6 * area_m2 * std::sqrt(2 * 588.4 / 1005);
+    EXPECT_NEAR(open.pass_ml_min, torricelli, 0.06 * torricelli);
+    EXPECT_GT(open.good_ml_min, open.pass_ml_min);
+    EXPECT_NEAR(open.sum_ml_min, open.pass_ml_min, 1e-3 * open.pass_ml_min);
+    EXPECT_LT(open.held_pa, 10);
+    RecordProperty("open_ml_min", std::to_string(open.pass_ml_min));
+}
+
+/// Shut at the surface alone, the lower half of the walls bears the pressure.
+TEST(Watertight, PressurePushesTheWallsApartByWhatItsAreaAsks) {
+    const auto scene = build_operative_field(pad());
+    const auto moved = [&](double pressure_pa) {
+        State state(*scene, 1);
+        SlitPressure fluid(*scene, state);
+        const std::array<ToolInput, kMaxTools> nobody{};
+        std::array<ToolFeedback, kMaxTools> feedback{};
+        const size_t tools = scene->tools.size();
+        draw_together(*scene, state, 0);
+        // The walls' lower row is free.
+        for (const Slit::Station& s : scene->slit.stations)
+            for (const int32_t v : {s.left[1], s.right[1]})
+                state.body.x[static_cast<size_t>(v)].w =
+                    State(*scene, 1).body.x[static_cast<size_t>(v)].w;
+        for (int i = 0; i < 600; ++i) {
+            fluid.push(pressure_pa);
+            (void)step(*scene, state, {nobody.data(), tools}, {feedback.data(), tools});
+        }
+        EXPECT_EQ(fluid.flow_m3_s(), 0);
+        double sum = 0;
+        for (const Slit::Station& s : scene->slit.stations)
+            sum += (position(state.body, s.right[1]) - position(state.body, s.left[1])).x();
+        return sum / static_cast<double>(scene->slit.stations.size());
+    };
+    const double none = moved(0), some = moved(300), twice = moved(600);
+    EXPECT_GT(some, none);
+    EXPECT_NEAR((twice - none) / (some - none), 2, 0.2) << "tissue is linear for small ways";
+}
+
+TEST(Watertight, GapAndFlowAreFoundTogether) {
+    // Walls that give way let more through than the gap at rest says.
+    const auto scene = build_operative_field(pad());
+    const auto flow_ml_min = [&](bool stiff) {
+        State state(*scene, 1);
+        draw_together(*scene, state, 0.1e-3);
+        if (!stiff) {
+            // Held at every fourth station only, like stitches 2 mm apart.
+            const State rest(*scene, 1);
+            for (size_t i = 0; i < scene->slit.stations.size(); ++i) {
+                if (i % 4 == 0) continue;
+                const Slit::Station& s = scene->slit.stations[i];
+                for (const int32_t v : {s.left[0], s.left[1], s.right[0], s.right[1]})
+                    state.body.x[static_cast<size_t>(v)].w = rest.body.x[static_cast<size_t>(v)].w;
+            }
+        }
+        settle(*scene, state, 0.3);
+        return tested(*scene, state);
+    };
+    const Result stiff = flow_ml_min(true), soft = flow_ml_min(false);
+    EXPECT_GT(stiff.pass_ml_min, 0);
+    EXPECT_GT(soft.pass_ml_min, stiff.pass_ml_min);
+    EXPECT_LT(soft.held_pa, stiff.held_pa);
+    RecordProperty("stiff_ml_min", std::to_string(stiff.pass_ml_min));
+    RecordProperty("soft_ml_min", std::to_string(soft.pass_ml_min));
+}
+
+/// The pressure rises much faster than in theatre: at the pressure where the slit burst, held until
+/// everything is at rest, the leak is the one that counts as burst.
+TEST(Watertight, ThePressureRisesSlowlyEnough) {
+    OperativeFieldSpec spec = pad();
+    spec.slit->watertight->burst_m3_s = 60 / kPerMl;
+    const auto scene = build_operative_field(spec);
+    const auto prepare = [&](State& state) {
+        const State rest(*scene, 1);
+        draw_together(*scene, state, 0.08e-3);
+        for (size_t i = 0; i < scene->slit.stations.size(); ++i) {
+            if (i % 5 == 0) continue;
+            const Slit::Station& s = scene->slit.stations[i];
+            for (const int32_t v : {s.left[0], s.left[1], s.right[0], s.right[1]})
+                state.body.x[static_cast<size_t>(v)].w = rest.body.x[static_cast<size_t>(v)].w;
+        }
+        settle(*scene, state, 0.3);
+    };
+    State fast(*scene, 1);
+    prepare(fast);
+    const Result result = tested(*scene, fast);
+    ASSERT_GT(result.held_pa, 10);
+    ASSERT_LT(result.held_pa, 3900);
+    RecordProperty("burst_pa", std::to_string(result.held_pa));
+
+    State slow(*scene, 1);
+    prepare(slow);
+    SlitPressure fluid(*scene, slow);
+    const std::array<ToolInput, kMaxTools> nobody{};
+    std::array<ToolFeedback, kMaxTools> feedback{};
+    const size_t tools = scene->tools.size();
+    for (int i = 0; i < 1500; ++i) {
+        fluid.push(result.held_pa * std::min(1.0, i / 800.0));
+        (void)step(*scene, slow, {nobody.data(), tools}, {feedback.data(), tools});
+    }
+    EXPECT_NEAR(kPerMl * fluid.flow_m3_s(), 60, 0.05 * 60);
+    EXPECT_EQ(slow.flags & kNotFinite, 0U);
+}
+
+TEST(Watertight, TheSameOnOtherNumbersOfThreadsAndTheAttemptGoesOnAsIfNobodyHadTested) {
+    OperativeFieldSpec spec = pad();
+    const auto scene = build_operative_field(spec);
+    State one(*scene, 1), two(*scene, 2);
+    const std::vector<Event> from_one = slit_when_let_go(*scene, one),
+                             from_two = slit_when_let_go(*scene, two);
+    ASSERT_EQ(from_one.size(), from_two.size());
+    int watertight = 0;
+    for (size_t i = 0; i < from_one.size(); ++i) {
+        EXPECT_EQ(from_one[i].value, from_two[i].value);
+        EXPECT_EQ(from_one[i].value2, from_two[i].value2);
+        EXPECT_EQ(from_one[i].element, from_two[i].element);
+        watertight += from_one[i].kind == EventKind::kWatertight ? 1 : 0;
+    }
+    EXPECT_EQ(watertight, 2 * (1 + static_cast<int>(scene->slit.stations.size())) + 1);
+    EXPECT_EQ(one.frame, 0);
+    spec.slit->watertight.reset();
+    const auto untested = build_operative_field(spec);
+    State state(*untested, 1);
+    EXPECT_TRUE(watertight_events(*untested, state).empty());
+}
+
+TEST(Watertight, TornWallsAreNeitherTightNorBlownAbout) {
+    const auto scene = build_operative_field(pad());
+    State state(*scene, 1);
+    draw_together(*scene, state, 0);
+    const auto middle = static_cast<size_t>(nearest_station(*scene, Vec2(0.009, 0)));
+    for (int level = 0; level < scene->slit.layers; ++level) {
+        const int32_t wall = scene->slit.stations[middle].left[static_cast<size_t>(level)];
+        for (const int32_t t : scene->body.tets_of(wall)) remove_tet(scene->body, state.body, t);
+    }
+    update_free_vertices(scene->body, state.body);
+    const Result torn = tested(*scene, state);
+    EXPECT_GT(torn.pass_ml_min, 1);
+    EXPECT_LT(torn.held_pa, 3900);
+    EXPECT_EQ(state.flags & kNotFinite, 0U);
+}
+
+}  // namespace THIS_TEST
+}  // namespace placode::sim
