@@ -14,9 +14,16 @@ namespace {
 
 using Eigen::Vector3f;
 
-// Beyond these the shadow is too faint to be drawn; see depth_shadow.glsl.
-constexpr double kShaftMm = 11, kHighestMm = 12;
-constexpr float kSpreadMm = 3.5F;
+// Beyond these the shadow is not drawn, and it fades before; see depth_shadow.glsl.
+constexpr double kShaftMm = 11, kFadesMm = 8, kHighestMm = 12;
+constexpr float kSpreadMm = 3.5F, kBorderMm = 1.2F;
+constexpr float kTriangleMm = 2;  // no edge is longer by much
+constexpr float kLongMm = 6;      // in the plane: a shaft that lies, and reaches out of its shadow
+
+float soft_step(float low, float high, float v) {
+    const float t = std::clamp((v - low) / (high - low), 0.0F, 1.0F);
+    return t * t * (3 - 2 * t);
+}
 
 Vector3f corner(const DrawnTissue& tissue, unsigned index) {
     const float* p = &tissue.vertices[static_cast<size_t>(index) * kTissueVertexFloats];
@@ -25,7 +32,7 @@ Vector3f corner(const DrawnTissue& tissue, unsigned index) {
 
 }  // namespace
 
-DepthCue::DepthCue() : program_("depth_shadow_vertex", "depth_shadow") { mesh_.create({3}); }
+DepthCue::DepthCue() : program_("depth_shadow_vertex", "depth_shadow") { mesh_.create({3, 1}); }
 
 /// The highest tissue on the vertical through the tip counts: what lies below it is hidden.
 void DepthCue::drop_on(const Drop& drop, const std::array<Vector3f, 3>& p) {
@@ -46,12 +53,26 @@ void DepthCue::drop_on(const Drop& drop, const std::array<Vector3f, 3>& p) {
     drop.foot->height_mm = static_cast<double>(drop.tip.z()) - z;
 }
 
+bool DepthCue::Drop::is_about(const Vector3f& p) const {
+    return p.x() > low[0] && p.x() < high[0] && p.y() > low[1] && p.y() < high[1];
+}
+
 bool DepthCue::Drop::reaches(const Vector3f& p) const {
-    if (p.x() < low[0] || p.x() > high[0] || p.y() < low[1] || p.y() > high[1]) return false;
     const Eigen::Vector2f from = p.head<2>() - tip.head<2>();
     const float length2 = std::max(shaft.squaredNorm(), 1e-6F);
     const float along = std::clamp(from.dot(shaft) / length2, 0.0F, 1.0F);
     return (from - along * shaft).squaredNorm() < kSpreadMm * kSpreadMm;
+}
+
+float DepthCue::Drop::share(const Vector3f& p) const {
+    if (strength == 0) return 0;
+    const Eigen::Vector2f from = p.head<2>() - tip.head<2>();
+    const float length2 = std::max(shaft.squaredNorm(), 1e-6F);
+    const float along = std::clamp(from.dot(shaft) / length2, 0.0F, 1.0F);
+    const float aside = (from - along * shaft).norm();
+    const float lies = soft_step(0.5F * kLongMm, kLongMm, std::sqrt(length2));
+    return strength * (1 - soft_step(kSpreadMm - kBorderMm, kSpreadMm, aside)) *
+           (1 - lies * soft_step(0.6F, 1, along));
 }
 
 void DepthCue::update(const Snapshot& snapshot, const std::vector<ToolSpec>& tools,
@@ -70,11 +91,13 @@ void DepthCue::update(const Snapshot& snapshot, const std::vector<ToolSpec>& too
         drop.tip = a;
         drop.shaft = (b - a).head<2>();
         for (int k = 0; k < 2; ++k) {
-            drop.low[k] = std::min(a[k], b[k]) - kSpreadMm;
-            drop.high[k] = std::max(a[k], b[k]) + kSpreadMm;
+            drop.low[k] = std::min(a[k], b[k]) - kSpreadMm - kTriangleMm;
+            drop.high[k] = std::max(a[k], b[k]) + kSpreadMm + kTriangleMm;
         }
         // What hung high above the field in the picture before throws no shadow in this one.
-        drop.shades = before_[i].found && before_[i].height_mm < kHighestMm;
+        if (before_[i].found)
+            drop.strength =
+                1 - soft_step(kFadesMm, kHighestMm, static_cast<float>(before_[i].height_mm));
         drop.foot = &feet_[i];
         drops_.push_back(drop);
     }
@@ -85,18 +108,21 @@ void DepthCue::update(const Snapshot& snapshot, const std::vector<ToolSpec>& too
 void DepthCue::collect(const DrawnTissue& tissue) {
     for (size_t k = 0; k + 2 < tissue.indices.size(); k += 3) {
         const Vector3f first = corner(tissue, tissue.indices[k]);
-        bool near = false, shaded = false;
-        for (const Drop& drop : drops_) {
-            if (!drop.reaches(first)) continue;
-            near = true;
-            shaded = shaded || drop.shades;
-        }
-        if (!near) continue;
+        if (std::none_of(drops_.begin(), drops_.end(),
+                         [&](const Drop& drop) { return drop.is_about(first); }))
+            continue;
         const std::array<Vector3f, 3> p{first, corner(tissue, tissue.indices[k + 1]),
                                         corner(tissue, tissue.indices[k + 2])};
-        for (const Drop& drop : drops_) drop_on(drop, p);
-        if (!shaded) continue;
-        for (const Vector3f& v : p) below_.insert(below_.end(), v.data(), v.data() + 3);
+        std::array<float, 3> share{};
+        for (const Drop& drop : drops_) {
+            if (drop.reaches(first)) drop_on(drop, p);
+            for (size_t c = 0; c < 3; ++c) share[c] = std::max(share[c], drop.share(p[c]));
+        }
+        if (share[0] + share[1] + share[2] == 0) continue;
+        for (size_t c = 0; c < 3; ++c) {
+            below_.insert(below_.end(), p[c].data(), p[c].data() + 3);
+            below_.push_back(share[c]);
+        }
     }
 }
 
@@ -109,7 +135,7 @@ void DepthCue::draw() {
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     glDepthMask(GL_FALSE);
     mesh_.vertices(below_.data(), below_.size(), true);
-    mesh_.draw(GL_TRIANGLES, static_cast<int>(below_.size() / 3));
+    mesh_.draw(GL_TRIANGLES, static_cast<int>(below_.size() / 4));
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_POLYGON_OFFSET_FILL);

@@ -35,7 +35,7 @@ class DepthCue {
                 std::span<const DrawnTissue> parts);
     [[nodiscard]] const std::array<TipFoot, sim::kMaxTools>& feet() const { return feet_; }
     /// Triangles in the shadow's reach.
-    [[nodiscard]] size_t triangles() const { return below_.size() / 9; }
+    [[nodiscard]] size_t triangles() const { return below_.size() / 12; }
     [[nodiscard]] GlProgram& program() { return program_; }
     /// Darkens what was drawn; the program is in use and knows light and capsules.
     void draw();
@@ -45,17 +45,20 @@ class DepthCue {
     struct Drop {
         Eigen::Vector3f tip;
         Eigen::Vector2f shaft;  // from the tip along the shaft, in the plane [mm]
-        float low[2], high[2];  // box around both, with the shadow's border
-        bool shades = false;
+        float low[2], high[2];  // box around both, with the shadow's border and a triangle
+        float strength = 0;     // of its shadow, 0..1
         TipFoot* foot = nullptr;
+        [[nodiscard]] bool is_about(const Eigen::Vector3f& p) const;
         [[nodiscard]] bool reaches(const Eigen::Vector3f& p) const;
+        /// Of the shadow that is drawn there: it ends softly, wherever the triangles do.
+        [[nodiscard]] float share(const Eigen::Vector3f& p) const;
     };
     static void drop_on(const Drop& drop, const std::array<Eigen::Vector3f, 3>& p);
     void collect(const DrawnTissue& tissue);
     GlProgram program_;
     GlMesh mesh_;
     std::array<TipFoot, sim::kMaxTools> feet_, before_;  // of this picture and the one before
-    std::vector<float> below_;
+    std::vector<float> below_;  // place and share of the shadow, of each corner
     std::vector<Drop> drops_;
 };
 

@@ -1,6 +1,7 @@
 // Darkness right below the instruments, as under a lamp overhead: it says how high they are.
 // Multiplied onto the tissue.
 in vec3 v_position;
+in float v_share;  // of the shadow: less towards the end of what is drawn
 out vec4 colour;
 
 const float kSlope = 0.13;  // of the soft border, for every mm of height
@@ -23,5 +24,5 @@ void main() {
         float inside = 1.0 - smoothstep(max(core - soft, 0.0), core + soft, r);
         light *= 1.0 - kDark * below * inside * exp(-height / kFade);
     }
-    colour = vec4(vec3(light), 1.0);
+    colour = vec4(vec3(mix(1.0, light, v_share)), 1.0);
 }
