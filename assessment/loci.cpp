@@ -317,16 +317,17 @@ std::optional<Locus> locate_suture(std::string_view metric, const sim::Recording
         });
     }
     if (metric.substr(0, 5) == "slit_") {
-        const Event* widest = widest_gap(recording);
-        if (metric != "slit_leak_ml_min" && metric.find("gap") == metric.npos &&
-            metric.find("shut") == metric.npos) {
+        const bool pressed = metric == "slit_leak_6_ml_min" || metric == "slit_leak_12_ml_min" ||
+                             metric == "slit_burst_cmh2o";
+        const Event* worst = widest_gap(recording);
+        if (pressed) {
             const std::optional<Watertight> test = watertight_of(recording);
-            widest = test ? test->worst : nullptr;
+            worst = test ? test->worst : nullptr;
         }
-        if (widest == nullptr) return std::nullopt;
+        if (worst == nullptr) return std::nullopt;
         Locus locus;
         locus.count = 1;
-        locus.at_m = sim::Vec2(widest->rest_position_m[0], widest->rest_position_m[1]);
+        locus.at_m = rest_place(*worst).head<2>();
         return locus;
     }
     return std::nullopt;

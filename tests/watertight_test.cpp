@@ -14,38 +14,35 @@
 #include "sim/step/slit_when_let_go.h"
 #include "sim/step/step.h"
 #include "sim/world/state.h"
+#include "tests/slit_pad.h"
 
 namespace placode::sim {
 namespace THIS_TEST {
 
-constexpr double kWidthM = 0.001, kHalfM = 0.006;
+using test::kHalfM, test::kWidthM;
 constexpr double kPerMl = 6e7;  // ml/min of m3/s
 
-/// The pad of data/scenes/suture_slit_pad.json, without needle.
 OperativeFieldSpec pad() {
-    OperativeFieldSpec spec;
-    spec.id = "pad";
-    spec.domain_x_m = 0.0315;
-    spec.domain_y_m = 0.016;
-    spec.edge_ring_m = spec.edge_placode_m = 0.0007;
-    spec.edge_outer_m = 0.0009;
-    spec.skin_edge_a_m = spec.skin_edge_b_m = 0.0027;
-    spec.placode_a_m = spec.placode_b_m = 0.001;
-    spec.contour_offset_m = 0.0006;
-    spec.thin_skin_width_m = 0.0003;
-    spec.dome_height_m = spec.wobble = spec.groove_depth_m = spec.rim_height_m = 0;
-    spec.relief_skin_m = spec.relief_placode_m = 0;
-    spec.base_radius_x_m = spec.base_radius_y_m = 1000;
-    spec.skin_prestretch = spec.zone_prestretch = 1;
-    spec.heat = false;
-    spec.contact.self_contact = true;
-    spec.slit =
-        FieldSlit{Vec2(0.009, -kHalfM), Vec2(0.009, kHalfM), kWidthM, 2, 0.0005, WatertightSpec{}};
+    OperativeFieldSpec spec = test::pad();
+    spec.slit->watertight.emplace();
     return spec;
 }
 
-/// Both walls led towards each other until they stand `left_m` apart in the middle of the slit, as
-/// threads would; held there along `held_m` of its length if any.
+/// So many frames with nobody's hands, under a pressure that may rise with the frame.
+template <class Pressure>
+void hold(const Scene& scene, State& state, SlitPressure& fluid, int frames,
+          Pressure&& pressure_pa) {
+    const std::array<ToolInput, kMaxTools> nobody{};
+    std::array<ToolFeedback, kMaxTools> feedback{};
+    const size_t tools = scene.tools.size();
+    for (int i = 0; i < frames; ++i) {
+        fluid.push(pressure_pa(i));
+        (void)step(scene, state, {nobody.data(), tools}, {feedback.data(), tools});
+    }
+}
+
+/// Both walls led towards each other until they stand `left_m` apart wherever they stood farther,
+/// as threads would, and held there.
 void draw_together(const Scene& scene, State& state, double left_m) {
     for (size_t v = 0; v < scene.body.mesh().rest.size(); ++v) {
         const int side = scene.slit.side_of(static_cast<int32_t>(v));
@@ -122,19 +119,13 @@ TEST(Watertight, PressurePushesTheWallsApartByWhatItsAreaAsks) {
     const auto moved = [&](double pressure_pa) {
         State state(*scene, 1);
         SlitPressure fluid(*scene, state);
-        const std::array<ToolInput, kMaxTools> nobody{};
-        std::array<ToolFeedback, kMaxTools> feedback{};
-        const size_t tools = scene->tools.size();
         draw_together(*scene, state, 0);
         // The walls' lower row is free.
         for (const Slit::Station& s : scene->slit.stations)
             for (const int32_t v : {s.left[1], s.right[1]})
                 state.body.x[static_cast<size_t>(v)].w =
                     State(*scene, 1).body.x[static_cast<size_t>(v)].w;
-        for (int i = 0; i < 600; ++i) {
-            fluid.push(pressure_pa);
-            (void)step(*scene, state, {nobody.data(), tools}, {feedback.data(), tools});
-        }
+        hold(*scene, state, fluid, 600, [&](int) { return pressure_pa; });
         EXPECT_EQ(fluid.flow_m3_s(), 0);
         double sum = 0;
         for (const Slit::Station& s : scene->slit.stations)
@@ -200,13 +191,8 @@ TEST(Watertight, ThePressureRisesSlowlyEnough) {
     State slow(*scene, 1);
     prepare(slow);
     SlitPressure fluid(*scene, slow);
-    const std::array<ToolInput, kMaxTools> nobody{};
-    std::array<ToolFeedback, kMaxTools> feedback{};
-    const size_t tools = scene->tools.size();
-    for (int i = 0; i < 1500; ++i) {
-        fluid.push(result.held_pa * std::min(1.0, i / 800.0));
-        (void)step(*scene, slow, {nobody.data(), tools}, {feedback.data(), tools});
-    }
+    hold(*scene, slow, fluid, 1500,
+         [&](int i) { return result.held_pa * std::min(1.0, i / 800.0); });
     EXPECT_NEAR(kPerMl * fluid.flow_m3_s(), 60, 0.05 * 60);
     EXPECT_EQ(slow.flags & kNotFinite, 0U);
 }

@@ -9,6 +9,7 @@
 
 #include "sim/contact/self_contact.h"
 #include "sim/core/tool_shape.h"
+#include "sim/world/add_event.h"
 #include "sim/world/scene.h"
 #include "sim/world/state.h"
 
@@ -23,10 +24,6 @@ using Wall = Slit::Column Slit::Station::*;
 
 Vec3 rest_of(const Scene& scene, int32_t v) noexcept {
     return scene.body.mesh().rest[static_cast<size_t>(v)];
-}
-
-Vec3 middle_at_rest(const Scene& scene, const Slit::Station& station) noexcept {
-    return 0.5 * (rest_of(scene, station.left[0]) + rest_of(scene, station.right[0]));
 }
 
 /// From a point to the nearest place of a wall around a station.
@@ -70,12 +67,6 @@ class WayToWall {
     Vec3 way_ = Vec3::Zero();
 };
 
-/// From the surface to the floor, at rest [m].
-double depth_at_rest(const Scene& scene, const Slit::Station& station) noexcept {
-    const auto floor = static_cast<size_t>(scene.slit.layers);
-    return (rest_of(scene, station.left[0]) - rest_of(scene, station.left[floor])).norm();
-}
-
 }  // namespace
 
 double slit_gap(const Scene& scene, const State& state, int station, int level) noexcept {
@@ -91,6 +82,16 @@ double slit_gap(const Scene& scene, const State& state, int station, int level) 
     // One that has passed the other wall by a little is not apart from it.
     if (from_left.dot(across) <= 0 || from_right.dot(across) >= 0) return 0;
     return std::max(0.0, std::min(from_left.norm(), from_right.norm()) - kTissueGapM);
+}
+
+Vec3 middle_at_rest(const Scene& scene, int station) noexcept {
+    const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
+    return 0.5 * (rest_of(scene, s.left[0]) + rest_of(scene, s.right[0]));
+}
+
+double depth_at_rest(const Scene& scene, int station, int level) noexcept {
+    const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
+    return (rest_of(scene, s.left[0]) - rest_of(scene, s.left[static_cast<size_t>(level)])).norm();
 }
 
 bool is_whole(const Scene& scene, const State& state, int32_t v) noexcept {
@@ -120,7 +121,7 @@ int nearest_station(const Scene& scene, const Vec2& place) noexcept {
     int nearest = -1;
     double least2 = std::numeric_limits<double>::max();
     for (size_t i = 0; i < scene.slit.stations.size(); ++i) {
-        const Vec3 middle = middle_at_rest(scene, scene.slit.stations[i]);
+        const Vec3 middle = middle_at_rest(scene, static_cast<int>(i));
         const double away2 = (middle.head<2>() - place).squaredNorm();
         if (away2 >= least2) continue;
         least2 = away2;
@@ -149,8 +150,7 @@ std::vector<Event> slit_events(const Scene& scene, const State& state) {
     Event head;
     head.kind = EventKind::kSlitGap;
     head.value = static_cast<float>(stations);
-    const Slit::Station& middle = scene.slit.stations[static_cast<size_t>(stations / 2)];
-    head.value2 = static_cast<float>(depth_at_rest(scene, middle));
+    head.value2 = static_cast<float>(depth_at_rest(scene, stations / 2, scene.slit.layers));
     events.push_back(head);
     for (int i = 0; i < stations; ++i) {
         Event event;
@@ -161,9 +161,7 @@ std::vector<Event> slit_events(const Scene& scene, const State& state) {
         for (int level = 1; level < scene.slit.layers; ++level)
             least = std::min(least, open_gap(scene, state, i, level));
         event.value = static_cast<float>(least);
-        const Vec3 at = middle_at_rest(scene, scene.slit.stations[static_cast<size_t>(i)]);
-        for (int k = 0; k < 3; ++k)
-            event.rest_position_m[static_cast<size_t>(k)] = static_cast<float>(at[k]);
+        set_rest_position(event, middle_at_rest(scene, i));
         events.push_back(event);
     }
     return events;

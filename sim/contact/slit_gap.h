@@ -29,6 +29,11 @@ struct State;
 /// Nothing has been torn or burned away at this vertex.
 [[nodiscard]] bool is_whole(const Scene& scene, const State& state, int32_t vertex) noexcept;
 
+/// Between both walls at the surface, at rest [m].
+[[nodiscard]] Vec3 middle_at_rest(const Scene& scene, int station) noexcept;
+/// From the surface down to a level, at rest [m]. @pre 0 <= level <= layers.
+[[nodiscard]] double depth_at_rest(const Scene& scene, int station, int level) noexcept;
+
 /// Station whose middle lies nearest to a place in the plane at rest [m]; -1 without a slit.
 [[nodiscard]] int nearest_station(const Scene& scene, const Vec2& place) noexcept;
 

@@ -21,10 +21,6 @@ constexpr float kLetGo = 1.25F;     // opening at which jaws let go, in that at 
 constexpr double kCentring = 0.05;  // of its way to the jaws' middle that the wire goes in a frame
 constexpr float kSlipEnds = 0.1F;   // without slipping this long, the slip is over [s]
 
-void set_rest_position(Event& e, const Vec3& p) noexcept {
-    for (int k = 0; k < 3; ++k) e.rest_position_m[as_index(k)] = static_cast<float>(p[k]);
-}
-
 Event driver_event(const State& state, EventKind kind, int tool, float value,
                    float value2) noexcept {
     Event e;

@@ -12,6 +12,7 @@
 #include "sim/core/as_index.h"
 #include "sim/solver/soft_body.h"
 #include "sim/step/step.h"
+#include "sim/world/add_event.h"
 #include "sim/world/scene.h"
 #include "sim/world/state.h"
 
@@ -22,14 +23,6 @@ namespace {
 constexpr double kRisePaS = 2500;  // 25 cmH2O/s
 constexpr double kHoldS = 0.2;     // before a leak is measured
 constexpr double kFollow = 0.1;    // of the loads, a frame
-
-Vec3 rest_of(const Scene& scene, int32_t v) noexcept { return scene.body.mesh().rest[as_index(v)]; }
-
-double between_at_rest(const Scene& scene, const Slit::Station& a, const Slit::Station& b) {
-    return 0.5 * (rest_of(scene, a.left[0]) + rest_of(scene, a.right[0]) -
-                  rest_of(scene, b.left[0]) - rest_of(scene, b.right[0]))
-                     .norm();
-}
 
 double floor_gap(const Scene& scene, const State& state, const Slit::Station& s) noexcept {
     const auto floor = as_index(scene.slit.layers);
@@ -42,10 +35,14 @@ double floor_gap(const Scene& scene, const State& state, const Slit::Station& s)
 SlitPressure::SlitPressure(const Scene& scene, State& state) : scene_(scene), state_(state) {
     const std::vector<Slit::Station>& stations = scene.slit.stations;
     for (size_t i = 0; i < stations.size(); ++i) {
+        const auto half_way_to = [&](size_t other) {
+            return 0.5 * (middle_at_rest(scene, static_cast<int>(i)) -
+                          middle_at_rest(scene, static_cast<int>(other)))
+                             .norm();
+        };
         double length_m = 0;
-        if (i > 0) length_m += 0.5 * between_at_rest(scene, stations[i], stations[i - 1]);
-        if (i + 1 < stations.size())
-            length_m += 0.5 * between_at_rest(scene, stations[i], stations[i + 1]);
+        if (i > 0) length_m += half_way_to(i - 1);
+        if (i + 1 < stations.size()) length_m += half_way_to(i + 1);
         length_m_.push_back(length_m);
         for (size_t level = 0; level <= as_index(scene.slit.layers); ++level)
             vertices_.insert(vertices_.end(), {stations[i].left[level], stations[i].right[level]});
@@ -70,7 +67,7 @@ void SlitPressure::flow_at(int station, double pressure_pa) noexcept {
         const auto k = as_index(level);
         stretch.gap_m[k] = level < stretch.layers ? open_gap(scene_, state_, station, level)
                                                   : floor_gap(scene_, state_, s);
-        stretch.depth_m[k] = (rest_of(scene_, s.left[0]) - rest_of(scene_, s.left[k])).norm();
+        stretch.depth_m[k] = depth_at_rest(scene_, station, level);
     }
     const SlitFlow flow = flow_through(stretch, pressure_pa);
     flow_m3_s_[i] = flow.flow_m3_s;
@@ -160,10 +157,7 @@ class PressureTest {
         events_.push_back(entry(-1, fluid_.flow_m3_s(), pressure_pa_));
         for (size_t i = 0; i < fluid_.flows().size(); ++i) {
             Event event = entry(static_cast<int32_t>(i), fluid_.flows()[i], pressure_pa_);
-            const Slit::Station& s = scene_.slit.stations[i];
-            const Vec3 at = 0.5 * (rest_of(scene_, s.left[0]) + rest_of(scene_, s.right[0]));
-            for (int k = 0; k < 3; ++k)
-                event.rest_position_m[as_index(k)] = static_cast<float>(at[k]);
+            set_rest_position(event, middle_at_rest(scene_, event.element));
             events_.push_back(event);
         }
     }

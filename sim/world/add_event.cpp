@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/world/add_event.h"
 
+#include "sim/core/as_index.h"
 #include "sim/world/scene.h"
 #include "sim/world/state.h"
 
 namespace placode::sim {
+
+void set_rest_position(Event& e, const Vec3& p) noexcept {
+    for (int k = 0; k < 3; ++k) e.rest_position_m[as_index(k)] = static_cast<float>(p[k]);
+}
 
 Vec3 rest_centroid(const Scene& scene, int tet) noexcept {
     Vec3 sum = Vec3::Zero();

@@ -21,6 +21,9 @@ void add_event(State& state, const Event& event) noexcept;
 /// Event of an instrument at the spot next to its bare metal.
 [[nodiscard]] Event tool_event(const State& state, EventKind kind, int tool) noexcept;
 
+/// Place of an event that belongs to no tet, at rest [m].
+void set_rest_position(Event& event, const Vec3& place) noexcept;
+
 /// Centroid of a tet at rest [m].
 [[nodiscard]] Vec3 rest_centroid(const Scene& scene, int tet) noexcept;
 

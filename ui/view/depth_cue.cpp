@@ -57,22 +57,17 @@ bool DepthCue::Drop::is_about(const Vector3f& p) const {
     return p.x() > low[0] && p.x() < high[0] && p.y() > low[1] && p.y() < high[1];
 }
 
-bool DepthCue::Drop::reaches(const Vector3f& p) const {
+DepthCue::Drop::Place DepthCue::Drop::place(const Vector3f& p) const {
     const Eigen::Vector2f from = p.head<2>() - tip.head<2>();
-    const float length2 = std::max(shaft.squaredNorm(), 1e-6F);
-    const float along = std::clamp(from.dot(shaft) / length2, 0.0F, 1.0F);
-    return (from - along * shaft).squaredNorm() < kSpreadMm * kSpreadMm;
+    const float along =
+        std::clamp(from.dot(shaft) / std::max(shaft.squaredNorm(), 1e-6F), 0.0F, 1.0F);
+    return {along, (from - along * shaft).norm()};
 }
 
-float DepthCue::Drop::share(const Vector3f& p) const {
-    if (strength == 0) return 0;
-    const Eigen::Vector2f from = p.head<2>() - tip.head<2>();
-    const float length2 = std::max(shaft.squaredNorm(), 1e-6F);
-    const float along = std::clamp(from.dot(shaft) / length2, 0.0F, 1.0F);
-    const float aside = (from - along * shaft).norm();
-    const float lies = soft_step(0.5F * kLongMm, kLongMm, std::sqrt(length2));
-    return strength * (1 - soft_step(kSpreadMm - kBorderMm, kSpreadMm, aside)) *
-           (1 - lies * soft_step(0.6F, 1, along));
+float DepthCue::Drop::share(const Place& at) const {
+    const float lies = soft_step(0.5F * kLongMm, kLongMm, shaft.norm());
+    return strength * (1 - soft_step(kSpreadMm - kBorderMm, kSpreadMm, at.aside)) *
+           (1 - lies * soft_step(0.6F, 1, at.along));
 }
 
 void DepthCue::update(const Snapshot& snapshot, const std::vector<ToolSpec>& tools,
@@ -115,8 +110,11 @@ void DepthCue::collect(const DrawnTissue& tissue) {
                                         corner(tissue, tissue.indices[k + 2])};
         std::array<float, 3> share{};
         for (const Drop& drop : drops_) {
-            if (drop.reaches(first)) drop_on(drop, p);
-            for (size_t c = 0; c < 3; ++c) share[c] = std::max(share[c], drop.share(p[c]));
+            for (size_t c = 0; c < 3; ++c) {
+                const Drop::Place at = drop.place(p[c]);
+                if (c == 0 && at.aside < kSpreadMm) drop_on(drop, p);
+                share[c] = std::max(share[c], drop.share(at));
+            }
         }
         if (share[0] + share[1] + share[2] == 0) continue;
         for (size_t c = 0; c < 3; ++c) {

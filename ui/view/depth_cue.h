@@ -49,9 +49,13 @@ class DepthCue {
         float strength = 0;     // of its shadow, 0..1
         TipFoot* foot = nullptr;
         [[nodiscard]] bool is_about(const Eigen::Vector3f& p) const;
-        [[nodiscard]] bool reaches(const Eigen::Vector3f& p) const;
+        /// In the plane: along the shaft from the tip, 0..1, and beside it [mm].
+        struct Place {
+            float along = 0, aside = 0;
+        };
+        [[nodiscard]] Place place(const Eigen::Vector3f& p) const;
         /// Of the shadow that is drawn there: it ends softly, wherever the triangles do.
-        [[nodiscard]] float share(const Eigen::Vector3f& p) const;
+        [[nodiscard]] float share(const Place& at) const;
     };
     static void drop_on(const Drop& drop, const std::array<Eigen::Vector3f, 3>& p);
     void collect(const DrawnTissue& tissue);
