@@ -7,6 +7,7 @@
 #include <random>
 
 #include "sim/solver/soft_body.h"
+#include "sim/solver/strip_walk.h"
 
 using namespace placode::sim;
 
@@ -196,6 +197,35 @@ TEST_P(VertexSystemOf, RemovalDoesNotDependOnTheOrder) {
     for (const int t : {40, 3, 15, 14}) remove_tet(body, b, t);
     EXPECT_EQ(a.lanes, b.lanes);
     EXPECT_EQ(state_hash(a), state_hash(b));
+}
+
+/// Recordings are replayed on other computers.
+TEST(StripWalk, GivesTheSameBitsInRegistersAndInPlainNumbers) {
+    const SoftBody body(small_spec());
+    SoftBodyState state(body);
+    scramble(state);
+    for (const int dead : {7, 20, 21}) remove_tet(body, state, dead);
+    for (const bool exact : {false, true}) {
+        if (exact) {
+            for (size_t i = 0; i < state.x.size(); ++i)
+                state.x_low.push_back({3e-12F * static_cast<float>(i % 7), -2e-12F, 1e-12F, 0});
+        }
+        for (int v = 0; v < body.vertex_count(); ++v) {
+            StripSums wide, plain;
+            for (StripSums* sums : {&wide, &plain}) {
+                sums->gradient = {1e-3, -2e-3, 3e-3, 0};
+                sums->hessian = {5, 0.1, 0.2, 0, 0.3, 6, 0.4, 0, 0.5, 0.6, 7, 0};
+            }
+            walk_strip(packed_of(body, state), state, v, wide);
+            walk_strip_plainly(packed_of(body, state), state, v, plain);
+            for (const size_t i : {0, 1, 2}) {
+                EXPECT_EQ(wide.gradient[i], plain.gradient[i]) << "vertex " << v;
+                for (const size_t j : {0, 1, 2})
+                    EXPECT_EQ(wide.hessian[4 * i + j], plain.hessian[4 * i + j]) << "vertex " << v;
+            }
+            EXPECT_NE(plain.gradient[0], 1e-3);
+        }
+    }
 }
 
 }  // namespace THIS_TEST

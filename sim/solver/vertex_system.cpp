@@ -8,34 +8,23 @@
 #include "sim/core/as_index.h"
 #include "sim/solver/double_float.h"
 #include "sim/solver/kernel_layout_parts.h"
+#include "sim/solver/strip_walk.h"
 
 namespace placode::sim {
 namespace {
 
-/// Walks the strip of the vertex; adds -force to the gradient and its exact Hessian.
-void walk_strip(const KernelLayout& packed, const SoftBodyState& state, int vertex, Vec3& gradient,
-                Mat3& hessian) noexcept {
-    const VertexBatch& b = packed.batches[as_index(packed.slot[as_index(vertex)] / kLanes)];
-    const size_t lane = as_index(packed.slot[as_index(vertex)] % kLanes);
-    const Vec3 x = exact_position(state, vertex);
-    const float* row = state.lanes.data() + b.lane_start + lane;
-    hessian.diagonal().array() += static_cast<double>(row[0]);
-    row += kLanes;
-    Vec3 older = Vec3::Zero(), newer = Vec3::Zero();
-    for (int64_t s = 0; s < b.steps; ++s, row += 3 * kLanes) {
-        const int32_t other = b.base + packed.strip[as_index(b.step_start + s) * kLanes + lane] / 2;
-        const Vec3 p = exact_position(state, other) - x;
-        gradient -= static_cast<double>(row[0]) * p;
-        const double stiffness = row[kLanes];
-        if (stiffness > 0) {
-            const Vec3 normal = (newer - older).cross(p - older);
-            const double excess = normal.dot(older) - static_cast<double>(row[2 * kLanes]);
-            gradient -= stiffness * excess * normal;
-            hessian += stiffness * normal * normal.transpose();
-        }
-        if ((packed.keep[as_index(b.step_start + s)] >> lane & 1) == 0) older = newer;
-        newer = p;
+/// From the strip of the vertex: adds -force to the gradient and its exact Hessian.
+void add_strip(const KernelLayout& packed, const SoftBodyState& state, int vertex, Vec3& gradient,
+               Mat3& hessian) noexcept {
+    StripSums sums;
+    auto& h = sums.hessian;
+    for (int i = 0; i < 3; ++i) {
+        sums.gradient[as_index(i)] = gradient[i];
+        for (int j = 0; j < 3; ++j) h[as_index(4 * i + j)] = hessian(i, j);
     }
+    walk_strip(packed, state, vertex, sums);
+    gradient << sums.gradient[0], sums.gradient[1], sums.gradient[2];
+    hessian << h[0], h[1], h[2], h[4], h[5], h[6], h[8], h[9], h[10];
 }
 
 /// The same from one of its tets, where no strips are packed (XPBD): from the kernel's own numbers.
@@ -70,7 +59,7 @@ void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, V
                  Mat3& hessian) noexcept {
     const KernelLayout& packed = packed_of(body, state);
     if (has_strips(packed)) {
-        walk_strip(packed, state, vertex, gradient, hessian);
+        add_strip(packed, state, vertex, gradient, hessian);
         return;
     }
     const Vec3 x = exact_position(state, vertex);
