@@ -56,7 +56,7 @@ class BatchPrograms : public Programs {
     void run_until(const std::string& name, int shards) const {
         const pid_t runner = ::fork();
         if (runner == 0) {
-            ::chdir(folder.c_str());
+            if (::chdir(folder.c_str()) != 0) ::_exit(126);
             const int nothing = ::open("/dev/null", O_RDWR);
             for (int i = 0; i < 3; ++i) ::dup2(nothing, i);
             ::execl(PLACODE_BIN_DIR "/placodectl", "placodectl", "batch", "run", name.c_str(),

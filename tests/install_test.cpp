@@ -59,6 +59,25 @@ TEST_F(Install, ProgramsFindTheirDataWhereTheyWereInstalled) {
     EXPECT_THAT(without.err, HasSubstr("touch_targets"));
 }
 
+TEST_F(Install, ProgramsAndLibraryAreHardened) {
+    std::vector<std::string> files;
+    for (const char* program : {"placode", "placode-sim", "placodectl", "placode-web"})
+        files.push_back(there(std::string("bin/") + program));
+    for (const auto& entry : fs::recursive_directory_iterator(there("lib")))
+        if (!entry.is_symlink() && entry.path().filename().string().starts_with("libplacode.so"))
+            files.push_back(entry.path().string());
+    ASSERT_EQ(files.size(), 5u);
+    for (const std::string& path : files) {
+        const std::string elf = shell("readelf --wide -l -d --dyn-syms '" + path + "'").out;
+        EXPECT_THAT(elf, HasSubstr("GNU_RELRO")) << path;
+        EXPECT_THAT(elf, HasSubstr("BIND_NOW")) << path;
+        EXPECT_THAT(elf, HasSubstr("__stack_chk_fail")) << path;
+        EXPECT_THAT(elf, HasSubstr("_chk@")) << path << ": fortified functions";
+        EXPECT_THAT(elf, HasSubstr("Elf file type is DYN")) << path;
+        EXPECT_THAT(elf, Not(HasSubstr(" RWE "))) << path << ": no memory to write and run";
+    }
+}
+
 TEST_F(Install, AProgramInCIsBuiltAndRunsWithWhatWasInstalled) {
     write_text(
         file("main.c"),
