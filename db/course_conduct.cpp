@@ -22,10 +22,16 @@ namespace {
 std::vector<AttemptRecord> own_attempts(Store& store, int64_t user_id) {
     std::vector<AttemptRecord> attempts = store.attempts().list(user_id);
     const auto user = store.accounts().find(user_id);
-    if (user && !user->demonstration)
-        std::erase_if(attempts, [](const AttemptRecord& each) {
-            return each.demonstration && each.exam.course_id.empty();  // an exam's case was seen
-        });
+    if (!user || user->demonstration) return attempts;
+    const auto shown = [](const AttemptRecord& each) {
+        return each.demonstration || each.generated;
+    };
+    std::erase_if(attempts, [&shown](const AttemptRecord& each) {
+        return shown(each) && each.exam.course_id.empty();
+    });
+    // An exam's case was seen: it is used up, and not met.
+    for (AttemptRecord& each : attempts)
+        if (shown(each)) each.end = sim::EndReason::kInterrupted;
     return attempts;
 }
 

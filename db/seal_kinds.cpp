@@ -14,8 +14,11 @@ std::vector<SealKind> make_kinds() {
     return {
         {"attempt",
          true,
-         {// Copies that `bench store` makes are nobody's attempts, and are not sealed.
-          {"attempts t WHERE NOT (t.generated_from <> 0 AND t.demonstration = 1)",
+         {// Copies that `bench store` makes are nobody's attempts, and are not sealed. Only what
+          // counts for nothing is such a copy: whoever marks a row like one does not hide it.
+          {"attempts t WHERE NOT (t.generated_from <> 0 AND t.demonstration = 1 AND "
+           "t.exam_course = '' AND t.study = '' AND t.account_id IN (SELECT a.id FROM accounts a "
+           "WHERE a.demonstration = 1))",
            {"t.id"},
            {},
            "account_id, task_id, task_version, started_utc, saved_utc, duration_s, device, seed, "

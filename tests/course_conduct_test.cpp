@@ -224,6 +224,24 @@ TEST_P(CourseStore, AnExamIsPreparedOnlyWhenAllIsThereAndLeadsToACertificate) {
     EXPECT_EQ(db::course_standing(*store, anna, "short", kNow).certificate->id, issued.id);
 }
 
+TEST_P(CourseStore, WhatAScriptShowedPassesNothingWhateverTheRowsSay) {
+    assign(anna);
+    attempt(anna, 80);
+    const db::ExamOrder order = db::prepare_exam(*store, anna, "short", "final", "ewa", "", kNow);
+    attempt(anna, 90, order.context, order.seed, "2026-02-03T00:00:00Z");
+    const auto progress = [&] { return db::course_standing(*store, anna, "short", kNow).progress; };
+    ASSERT_TRUE(progress().mastered);
+    RawConnection pen = raw();
+    for (const char* column : {"demonstration", "generated_from"}) {
+        const std::string set = std::string("UPDATE attempts SET ") + column;
+        ASSERT_TRUE(pen.run(set + " = 1 WHERE exam_course <> ''")) << pen.problem();
+        EXPECT_FALSE(progress().mastered) << column;
+        EXPECT_EQ(progress().stages[1].attempts, 1) << "a case was seen";
+        ASSERT_TRUE(pen.run(set + " = 0 WHERE exam_course <> ''"));
+        EXPECT_TRUE(progress().mastered);
+    }
+}
+
 TEST_P(CourseStore, AnExamOnAHapticLoopThatFailedIsVoidForCause) {
     assign(anna);
     attempt(anna, 80);
