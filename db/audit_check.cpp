@@ -59,7 +59,7 @@ class TrailCheck {
         : context_(context),
           problems_(problems),
           trusted_(trusted_stations(context)),
-          head_(context.station.head()) {}
+          heads_(context.station.heads()) {}
 
     void run() {
         Statement query(context_.connection,
@@ -68,7 +68,7 @@ class TrailCheck {
         query.run();
         while (query.next())
             if (!follow(read_entry(query))) return;
-        checkHead();
+        checkHeads();
         checkObjects();
     }
 
@@ -80,7 +80,7 @@ class TrailCheck {
             return false;
         }
         previous_ = entry.chain;
-        if (head_ && head_->entry == entry.entry.record.id) remembered_ = entry.chain;
+        std::erase(heads_, Station::Head{entry.entry.record.id, entry.chain});
         if (!checkSignature(entry)) return false;
         for (const auto& [object, change] : seals_of_text(entry.entry.seals)) {
             std::string& last = sealed_.try_emplace(object, kNoObject).first->second;
@@ -112,12 +112,16 @@ class TrailCheck {
         return true;
     }
 
-    void checkHead() {
-        if (!head_ || remembered_ == head_->chain) return;
-        problems_.push_back("audit: this computer wrote entry " + std::to_string(head_->entry) +
-                            ", and the trail does not hold it as it was: it was cut off or written "
-                            "anew, or an older copy was put in the store's place without "
-                            "`placodectl restore`");
+    /// Whatever was remembered and not found on the way.
+    void checkHeads() {
+        std::set<int64_t> said;
+        for (const Station::Head& head : heads_)
+            if (said.insert(head.entry).second)
+                problems_.push_back("audit: this computer wrote entry " +
+                                    std::to_string(head.entry) +
+                                    ", and the trail does not hold it as it was: it was cut off or "
+                                    "written anew, or an older copy was put in the store's place "
+                                    "without `placodectl restore`");
     }
 
     void checkObjects() {
@@ -146,8 +150,8 @@ class TrailCheck {
     std::vector<std::string>& problems_;
     std::set<std::string> trusted_, reported_;
     std::map<SealedObject, std::string> sealed_;
-    std::string previous_, remembered_;
-    std::optional<Station::Head> head_;  ///< What this computer remembers.
+    std::string previous_;
+    std::vector<Station::Head> heads_;  ///< What this computer remembers and was not met yet.
     bool any_signed_ = false;
     size_t found_ = 0;
 };

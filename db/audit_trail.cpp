@@ -116,10 +116,10 @@ void StoreContext::seal_the_unsealed() {
 void StoreContext::remember_trail() noexcept {
     if (!written_) return;
     try {
-        if (const auto before = station.head()) {
+        for (const Station::Head& before : station.heads()) {
             Statement there(connection, "SELECT chain FROM audit WHERE id = ?");
-            if (!there.run(before->entry).next() || there.text(0) != before->chain) return;
-            if (before->entry > written_->entry) return;
+            if (!there.run(before.entry).next() || there.text(0) != before.chain) return;
+            if (before.entry > written_->entry) return;
         }
         station.remember(*written_);
     } catch (const std::exception&) {

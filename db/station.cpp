@@ -27,12 +27,18 @@ std::string key_place() {
            "/placode/station.key";
 }
 
-std::string head_place(const StoreUrl& url, const std::string& key_path) {
-    if (url.engine == Engine::kSqlite)
-        return url.path == ":memory:" ? "" : fs::absolute(url.path).string() + ".seen";
-    return (fs::path(key_path).parent_path() /
-            ("trail-" + checksum_hex(url.shown).substr(0, 16) + ".seen"))
-        .string();
+std::vector<std::string> head_places(const StoreUrl& url, const std::string& key_path) {
+    const auto in_key_folder = [&key_path](const std::string& address) {
+        return (fs::path(key_path).parent_path() /
+                ("trail-" + checksum_hex(address).substr(0, 16) + ".seen"))
+            .string();
+    };
+    if (url.engine != Engine::kSqlite) return {in_key_folder(url.shown)};
+    if (url.path == ":memory:") return {};
+    const fs::path path = fs::absolute(url.path);
+    std::error_code unknown;
+    const fs::path whole = fs::weakly_canonical(path, unknown);  // not another one by a link
+    return {in_key_folder("sqlite:" + (unknown ? path : whole).string()), path.string() + ".seen"};
 }
 
 /// A whole file under a name of its own; false: nobody may write there.
@@ -51,7 +57,7 @@ bool write_new_file(const std::string& path, const std::string& text) {
 Station::Station() : key_path_(key_place()) {}
 
 Station::Station(const StoreUrl& url)
-    : key_path_(key_place()), head_path_(head_place(url, key_path_)) {}
+    : key_path_(key_place()), head_paths_(head_places(url, key_path_)) {}
 
 const std::string& Station::public_key() {
     if (!tried_) {
@@ -112,27 +118,30 @@ void Station::make_key() {
         (void)read_key();
 }
 
-std::optional<Station::Head> Station::head() const {
-    if (head_path_.empty()) return std::nullopt;
-    QFile file(QString::fromStdString(head_path_));
-    if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
-    std::istringstream words(file.read(1024).toStdString());
-    Head head;
-    if (!(words >> head.entry >> head.chain)) return std::nullopt;
-    return head;
+std::vector<Station::Head> Station::heads() const {
+    std::vector<Head> heads;
+    for (const std::string& path : head_paths_) {
+        QFile file(QString::fromStdString(path));
+        if (!file.open(QIODevice::ReadOnly)) continue;
+        std::istringstream words(file.read(1024).toStdString());
+        Head head;
+        if (words >> head.entry >> head.chain) heads.push_back(std::move(head));
+    }
+    return heads;
 }
 
 void Station::remember(const Head& head) const noexcept {
-    if (head_path_.empty()) return;
-    QSaveFile file(QString::fromStdString(head_path_));
-    if (!file.open(QIODevice::WriteOnly)) return;
-    file.write((std::to_string(head.entry) + " " + head.chain + "\n").c_str());
-    file.commit();
+    for (const std::string& path : head_paths_) {
+        QSaveFile file(QString::fromStdString(path));
+        if (!file.open(QIODevice::WriteOnly)) continue;
+        file.write((std::to_string(head.entry) + " " + head.chain + "\n").c_str());
+        file.commit();
+    }
 }
 
 void Station::forget() const noexcept {
     std::error_code ignored;
-    if (!head_path_.empty()) fs::remove(head_path_, ignored);
+    for (const std::string& path : head_paths_) fs::remove(path, ignored);
 }
 
 }  // namespace placode::db

@@ -6,8 +6,8 @@
 // placode/station.key in the user's data folder. It is made at its first use and is in no backup.
 
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "db/signature.h"
 #include "db/store_url.h"
@@ -30,8 +30,12 @@ class Station {
     struct Head {
         int64_t entry = 0;
         std::string chain;
+        bool operator==(const Head&) const = default;
     };
-    [[nodiscard]] std::optional<Head> head() const;
+    /// What is remembered in the key's folder, and beside an embedded store, where other users of
+    /// this computer remember it as well: whoever can write to one of both cannot hide from the
+    /// other.
+    [[nodiscard]] std::vector<Head> heads() const;
     /// Does nothing where nothing can be written: the trail itself is in the store.
     void remember(const Head& head) const noexcept;
     /// Another store is at the address from now on, on purpose.
@@ -41,7 +45,8 @@ class Station {
     [[nodiscard]] bool read_key();
     void make_key();
 
-    std::string key_path_, head_path_;  ///< A store in memory has no head.
+    std::string key_path_;
+    std::vector<std::string> head_paths_;  ///< A store in memory has none.
     KeyPair keys_;
     bool tried_ = false;
 };

@@ -13,6 +13,7 @@
 
 #include "db/durable_file.h"
 #include "db/schema.h"
+#include "db/seals.h"
 #include "db/sqlite_file.h"
 #include "db/station_role.h"
 #include "db/store_context.h"
@@ -71,7 +72,8 @@ void need_accounts(StoreContext& context) {
                                 "with `placodectl user add LOGIN --begin-anew`");
 }
 
-/// After an update: a store from before there were seals gets them once.
+/// After an update: a store from before there were seals gets them once. Not one that this computer
+/// has signed before: its trail was taken away, and check() has to say so.
 void seal_what_was_there(StoreContext& context) {
     const auto sealed = [&context] {
         return Statement(context.connection,
@@ -80,10 +82,12 @@ void seal_what_was_there(StoreContext& context) {
             .run()
             .next();
     };
-    const auto empty = [&context] {
-        return !Statement(context.connection, "SELECT id FROM audit LIMIT 1").run().next();
-    };
-    if (empty() || sealed()) return;
+    if (sealed()) return;
+    if (all_seals(context.connection).empty()) {
+        context.station.forget();  // of the store that was at this address before
+        return;
+    }
+    if (!context.station.heads().empty()) return;
     UnitOfWork work(context.connection);
     context.connection.lock_table("audit");
     if (!sealed()) context.seal_the_unsealed();
