@@ -39,6 +39,23 @@ void forget_signatures_name(StoreContext& context, int64_t user_id) {
         .run(kept);
 }
 
+/// An earlier version kept "for whom" of an invitation after somebody had accepted it.
+void forget_whom_it_was_for(StoreContext& context, int64_t user_id) {
+    std::vector<int64_t> ids;
+    {
+        Statement query(context.connection,
+                        "SELECT i.id FROM invitations i JOIN audit t ON t.action = 'user.invited' "
+                        "AND t.detail = 'invitation ' || CAST(i.id AS TEXT) WHERE t.object = ? AND "
+                        "i.note <> ''");
+        query.run(user_object(user_id));
+        while (query.next()) ids.push_back(query.integer(0));
+    }
+    for (const int64_t id : ids) {
+        context.touch("invitation", id);
+        Statement(context.connection, "UPDATE invitations SET note = '' WHERE id = ?").run(id);
+    }
+}
+
 }  // namespace
 
 void Accounts::request_erasure(int64_t user_id, const std::string& reason) {
@@ -94,6 +111,7 @@ void Accounts::erase(int64_t user_id, bool with_attempts) {
          ids_of(connection_, "SELECT id FROM course_assignments WHERE account_id = ?", user_id))
         context_.touch("assignment", id);
     forget_signatures_name(context_, user_id);
+    forget_whom_it_was_for(context_, user_id);
     Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
         .run(failures_key(user.login));
     for (const char* table : {"persons", "account_pins", "group_members", "course_assignments",

@@ -51,9 +51,13 @@ std::string Accounts::invite(const InvitationRecord& invitation) {
 std::vector<InvitationRecord> Accounts::invitations() {
     connection_.begin_operation("list invitations of");
     context_.need(Action::kManageUsers);
+    // Once somebody has accepted it, it is known for whom it was.
     Statement query(connection_,
-                    "SELECT id, roles, COALESCE(group_id, 0) AS group_id, note, invited_by, "
-                    "made_utc, expires_utc, used_utc FROM invitations ORDER BY id");
+                    "SELECT i.id, i.roles, COALESCE(i.group_id, 0) AS group_id, COALESCE(CASE WHEN "
+                    "i.used_utc = '' THEN i.note ELSE (SELECT t.object FROM audit t WHERE t.action "
+                    "= 'user.invited' AND t.detail = 'invitation ' || CAST(i.id AS TEXT) ORDER BY "
+                    "t.id LIMIT 1) END, '') AS note, i.invited_by, i.made_utc, i.expires_utc, "
+                    "i.used_utc FROM invitations i ORDER BY i.id");
     query.run();
     std::vector<InvitationRecord> found;
     while (query.next())
@@ -62,6 +66,8 @@ std::vector<InvitationRecord> Accounts::invitations() {
                          query.text("made_utc"), query.text("expires_utc"),
                          query.text("used_utc")});
     context_.show_names(found, &InvitationRecord::invited_by);
+    for (InvitationRecord& each : found)
+        if (!each.used_utc.empty()) each.note = context_.shown_name(each.note);
     return found;
 }
 
@@ -99,7 +105,9 @@ int64_t Accounts::accept_invitation(const std::string& code, const NewUser& user
         Statement(connection_,
                   "INSERT INTO group_members (group_id, account_id, teaches) VALUES (?, ?, 0)")
             .run(group, user_id);
-    Statement(connection_, "UPDATE invitations SET used_utc = ? WHERE id = ?").run(utc_now(), id);
+    // For whom it was has served: the account says it now, and erasure would miss it here.
+    Statement(connection_, "UPDATE invitations SET used_utc = ?, note = '' WHERE id = ?")
+        .run(utc_now(), id);
     context_.append_audit_as(user_object(user_id), "user.invited", user_object(user_id),
                              "invitation " + std::to_string(id));
     work.commit();

@@ -21,7 +21,7 @@ constexpr std::array kRights{
     TableRight{"persons", "", true},
     TableRight{"sign_in_failures", "failures, last_ms", true},
     TableRight{"account_pins", "failures", true},
-    TableRight{"invitations", "used_utc"},
+    TableRight{"invitations", "used_utc, note"},
     TableRight{"erasure_requests", "reason, done_utc"},
     TableRight{"group_members", "", true},
     TableRight{"course_assignments", "ended_utc", true},

@@ -94,7 +94,9 @@ TEST_P(People, AnInvitationMakesOneAccountInItsGroupUntilItsLastDay) {
     invitation.roles = static_cast<db::Roles>(db::Role::kEducator);
     invitation.group_id = group;
     invitation.expires_utc = "2026-01-02";
+    invitation.note = "Olga from Gdansk";
     const std::string code = store->accounts().invite(invitation);
+    EXPECT_EQ(store->accounts().invitations().at(0).note, "Olga from Gdansk");
     EXPECT_EQ(code.size(), 27u);
     const db::NewUser olga{"olga", "Olga", kPassword, 8, false};
     EXPECT_EQ(failure_of([&] { store->accounts().accept_invitation("x", olga); }).kind(),
@@ -121,6 +123,7 @@ TEST_P(People, AnInvitationMakesOneAccountInItsGroupUntilItsLastDay) {
                 HasSubstr("ended on 2026-01-02"));
     ASSERT_EQ(store->accounts().invitations().size(), 2u);
     EXPECT_FALSE(store->accounts().invitations()[0].used_utc.empty());
+    EXPECT_EQ(store->accounts().invitations()[0].note, "olga") << "who accepted it";
     EXPECT_TRUE(store->accounts().invitations()[1].used_utc.empty());
     invitation.expires_utc = "soon";
     EXPECT_EQ(failure_of([&] { store->accounts().invite(invitation); }).kind(),
