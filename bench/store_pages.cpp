@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 #include "assessment/scoring.h"
 #include "curriculum/attempt_runner.h"
@@ -102,6 +103,13 @@ void StorePages::measure(const char* page, const char* query, double limit_ms, A
     row.processor_ms = used[used.size() / 2];
     if (measured_) measured_(row);
     rows.push_back(std::move(row));
+}
+
+void StorePages::check() {
+    const int every = std::exchange(runs_, 1);
+    measure("Health", "check of the trail and every seal (problems)", kCheckLimitMs,
+            [&] { return store_.check().size(); });
+    runs_ = every;
 }
 
 void StorePages::pages(const db::LoadResult& load) {

@@ -12,7 +12,8 @@
 
 namespace placode::bench {
 
-inline constexpr double kPageLimitMs = 300, kReportLimitMs = 5000, kMemoryLimitMb = 500;
+inline constexpr double kPageLimitMs = 300, kReportLimitMs = 5000, kMemoryLimitMb = 500,
+                        kCheckLimitMs = 60000;
 
 struct PageRow {
     std::string page, query;
@@ -44,6 +45,8 @@ class StorePages {
     void pages(const db::LoadResult& load);
     /// @param folder for the PDF files.
     void reports(const db::LoadResult& load, const std::string& folder);
+    /// The trail and every seal, once.
+    void check();
 
     std::vector<PageRow> rows;
 

@@ -74,9 +74,10 @@ bool add_attempts(Connection& connection, const LoadOrder& order,
         "verdict, rubric_id, rubric_version, metric_set_version, preprocessing_version, "
         "generated_from) SELECT CAST(? AS BIGINT), task_id, task_version, CAST(? AS TEXT), CAST(? "
         "AS "
-        "TEXT), duration_s, device, seed, build, 1, final_hash, dropped, 1, CAST(? AS DOUBLE "
-        "PRECISION), CAST(? AS BIGINT), rubric_id, rubric_version, metric_set_version, "
-        "preprocessing_version, id FROM attempts WHERE id = ?");
+        "TEXT), duration_s, device, seed, build, 1, final_hash, dropped, " +
+            std::string(order.sealed ? "0" : "1") +
+            ", CAST(? AS DOUBLE PRECISION), CAST(? AS BIGINT), rubric_id, rubric_version, "
+            "metric_set_version, preprocessing_version, id FROM attempts WHERE id = ?");
     sim::SplitMix64 random(order.seed);
     for (int64_t i = 0; i < order.attempts; ++i) {
         const int64_t user = i % order.users, trial = i / order.users + 1;
@@ -144,7 +145,7 @@ LoadResult generate_load(const std::string& store_url, const LoadOrder& order) {
     }
     add_lists(connection, result);
     result.rows += result.attempts;
-    context.seal_the_unsealed();  // people and groups; copies of attempts are nobody's
+    context.seal_the_unsealed();  // people and groups, and copies where that was ordered
     work.commit();
     // A server does this by itself after a while; the measurement must not wait for it.
     connection.execute(connection.is_sqlite() ? "ANALYZE" : "VACUUM ANALYZE");

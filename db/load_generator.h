@@ -15,6 +15,8 @@ struct LoadOrder {
     int64_t attempts = 100000;
     int group_size = 50;
     uint64_t seed = 1;
+    /// As what people did: every copy is sealed, so that checking the store costs what it would.
+    bool sealed = false;
     /// Told now and then; false stops, and nothing is kept.
     std::function<bool(int64_t done, int64_t total)> progress;
 };

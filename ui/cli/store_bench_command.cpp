@@ -34,7 +34,7 @@ struct StoreBenchOptions {
     int64_t attempts = 100000;
     std::string out;
     double simulate_s = 20;  ///< Of each source attempt.
-    bool quick = false, no_shell = false;
+    bool quick = false, no_shell = false, sealed = false;
 };
 
 db::LoadResult fill(const std::string& url, const StoreBenchOptions& options,
@@ -52,6 +52,7 @@ db::LoadResult fill(const std::string& url, const StoreBenchOptions& options,
     db::LoadOrder order;
     order.users = options.users;
     order.attempts = options.attempts;
+    order.sealed = options.sealed;
     order.progress = [](int64_t done, int64_t total) {
         show_progress("multiplying " + std::to_string(done) + " of " + std::to_string(total));
         return true;
@@ -132,6 +133,7 @@ int run(const Context& context, StoreBenchOptions options) {
     const double pages_mb = bench::peak_memory_mb();
     measured.reports(load, folder.path());
     const double memory_mb = bench::peak_memory_mb();
+    if (options.sealed) measured.check();
     bench::ShellPages shell;
     if (options.no_shell)
         shell.problem = "--no-shell was given";
@@ -214,6 +216,8 @@ void add_store_bench_command(CLI::App& bench, Context& context) {
         ->check(CLI::Range(0.2, 600.0))
         ->capture_default_str();
     command->add_flag("--quick", options->quick, "50 people and 2,000 attempts at most");
+    command->add_flag("--sealed", options->sealed,
+                      "Seals every attempt and measures `placodectl check` as well");
     command->add_flag("--no-shell", options->no_shell,
                       "Leaves out opening every page of the shell (placode --time-pages)");
     command->callback([&context, options] {
