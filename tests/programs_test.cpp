@@ -133,6 +133,13 @@ TEST_F(Programs, ADamagedStoreIsLeftAsItIsAndABackupTakesItsPlace) {
     write_text(file("empty.db"), "");
     EXPECT_EQ(ctl("restore " + file("empty.db")).status, 1);
     EXPECT_EQ(read_text(store), "scrambled eggs");
+    // Where somebody only wants to know whether it could be done, nothing is done.
+    const Outcome rehearsed = ctl("--json restore --rehearse " + copy);
+    EXPECT_EQ(rehearsed.status, 0) << rehearsed.err;
+    EXPECT_THAT(rehearsed.out,
+                AllOf(HasSubstr("\"restorable\": true"), HasSubstr("\"people\": 1")));
+    EXPECT_EQ(ctl("restore --rehearse " + file("empty.db")).status, 1);
+    EXPECT_EQ(read_text(store), "scrambled eggs");
     const Outcome restored = ctl("restore " + copy);
     EXPECT_EQ(restored.status, 0) << restored.err;
     EXPECT_THAT(restored.out, HasSubstr("the old store is kept as"));

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl check | backup | restore | attempts | audit
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <memory>
 
 #include "db/store_url.h"
+#include "ui/cli/scratch_folder.h"
 #include "ui/cli/session.h"
 
 namespace placode::cli {
@@ -42,15 +45,43 @@ int backup(const Context& context, const std::string& path) {
     return 0;
 }
 
+/// The store may be damaged: its own accounts cannot be asked. Its file's owner may do it.
+std::string who_restores(const Context& context, const std::string& url) {
+    if (context.as_user.empty()) return need_local_administrator(url);
+    Session(context, Missing::kRefuse).need(Action::kBackup, Scope::kOther);
+    return context.as_user;
+}
+
+/// The whole restore in a folder of its own, and what would be there then.
+int rehearse(const Context& context, const std::string& path) {
+    const std::string actor = who_restores(context, store_url_of(context));
+    const auto begin = std::chrono::steady_clock::now();
+    const ScratchFolder folder;
+    const std::string url = "sqlite:" + folder.path() + "/placode.db";
+    (void)db::restore_store(url, path, actor);
+    const auto store = db::open_store(url);
+    std::string newest;
+    const auto attempts = store->attempts().list(0);
+    for (const auto& attempt : attempts) newest = std::max(newest, attempt.started_utc);
+    const size_t people = store->accounts().list().size();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    print(context,
+          {{"restorable", true},
+           {"backup", path},
+           {"people", people},
+           {"attempts", attempts.size()},
+           {"newest_attempt_utc", newest},
+           {"took_s", took.count()}},
+          path + " can be restored: " + std::to_string(people) + " people, " +
+              std::to_string(attempts.size()) + " attempts" +
+              (newest.empty() ? "" : ", the newest of " + newest) + "; rehearsed in " +
+              fixed(took.count(), 1) + " s. Nothing was changed");
+    return 0;
+}
+
 int restore(const Context& context, const std::string& path) {
     const std::string url = store_url_of(context);
-    // The store may be damaged: its own accounts cannot be asked. Its file's owner may do it.
-    std::string actor = context.as_user;
-    if (actor.empty()) {
-        actor = need_local_administrator(url);
-    } else {
-        Session(context, Missing::kRefuse).need(Action::kBackup, Scope::kOther);
-    }
+    const std::string actor = who_restores(context, url);
     const std::string aside = db::restore_store(url, path, actor);
     Json json{{"store", db::parse_store_url(url).shown}, {"restored_from", path}};
     if (!aside.empty()) json["old_store"] = aside;
@@ -166,8 +197,15 @@ void add_store_commands(CLI::App& app, Context& context) {
     CLI::App* restore_command = app.add_subcommand(
         "restore", "Puts the backup FILE in the place of the store; the old one is kept beside it");
     restore_command->add_option("FILE", *file, "A backup that `backup` wrote")->required();
-    restore_command->callback(
-        [&context, file] { context.run = [&context, file] { return restore(context, *file); }; });
+    auto rehearsal = std::make_shared<bool>(false);
+    restore_command->add_flag("--rehearse", *rehearsal,
+                              "Restores and checks it in a temporary folder, says what is in it "
+                              "and changes nothing");
+    restore_command->callback([&context, file, rehearsal] {
+        context.run = [&context, file, rehearsal] {
+            return *rehearsal ? rehearse(context, *file) : restore(context, *file);
+        };
+    });
 
     auto user = std::make_shared<std::string>();
     auto task = std::make_shared<std::string>();
