@@ -24,7 +24,8 @@ constexpr Case kCases[]{
     {"familiarisation", 12},     {"touch_targets", 6},       {"trace_contour", 6},
     {"grasp_and_lift", 8},       {"two_handed_traction", 8}, {"diathermy_ring_small", 5},
     {"diathermy_ring", 5},       {"scissors_resection", 9},  {"sb_dissection", 5},
-    {"sb_dissection_cystic", 5}, {"suture_bite", 6},
+    {"sb_dissection_cystic", 5}, {"suture_bite", 6},         {"suture_run", 6},
+    {"suture_slit", 6},
 };
 
 class FrameAllocation : public testing::TestWithParam<Case> {};
