@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Placode authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which room of sim/ includes which, and every include that points upwards:
-scripts/include_graph.py [--dot]. Exit status 1 when there is one. The order is that of
+scripts/include_graph.py [--dot | --table]. Exit status 1 when there is one. The order is that of
 CMakeLists.txt."""
 import collections
 import pathlib
@@ -25,7 +25,14 @@ def main() -> int:
             arrows[room, target[0]] += 1
             if ROOMS.index(target[0]) > ROOMS.index(room):
                 upwards.append(f"{path.relative_to(ROOT)} includes sim/{target[0]}/{target[1]}")
-    if "--dot" in sys.argv[1:]:
+    if "--table" in sys.argv[1:]:
+        print("| room | files | " + " | ".join(ROOMS[:-1]) + " |")
+        print("|---|---|" + "---|" * (len(ROOMS) - 1))
+        for room in ROOMS:
+            files = sum(p.suffix in (".h", ".cpp") for p in (ROOT / "sim" / room).iterdir())
+            cells = [str(arrows[room, other] or "") for other in ROOMS[:-1]]
+            print(f"| {room} | {files} | " + " | ".join(cells) + " |")
+    elif "--dot" in sys.argv[1:]:
         print("digraph sim {")
         for (a, b), n in sorted(arrows.items()):
             print(f'  "{a}" -> "{b}" [label={n}];')
