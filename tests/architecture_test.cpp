@@ -270,6 +270,19 @@ TEST(Architecture, EveryFileCarriesTheLicence) {
     }
 }
 
+TEST(Architecture, ThePageOfDependenciesNamesEveryPackage) {
+    std::ifstream in(root() / "docs/dependencies.md");
+    const std::string page{std::istreambuf_iterator<char>(in), {}};
+    std::ifstream packages(root() / "packages.txt");
+    std::string line;
+    while (std::getline(packages, line)) {
+        if (line.empty() || line[0] == '#') continue;
+        const std::string name = line.substr(0, line.find("-dev")), row = "\n| " + name;
+        EXPECT_NE(page.find(row), std::string::npos)
+            << line << ": run scripts/dependencies.py after a build";
+    }
+}
+
 TEST(Architecture, NoCatchAllFolders) {
     for (const auto& entry : fs::recursive_directory_iterator(root())) {
         const std::string name = entry.path().filename().string();
