@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One transaction from result to recording; attempts and recordings read back.
+// One transaction from result to recording; attempts read back.
 
 #include "db/attempts.h"
 
 #include <QFile>
-#include <QSaveFile>
 
 #include "assessment/signal.h"
 #include "db/attempt_counting.h"
@@ -246,36 +245,6 @@ AttemptOwner Attempts::owner_of(int64_t id) {
     connection_.fail(Kind::kNotFound, "there is no attempt " + std::to_string(id));
 }
 
-void Attempts::extract_recording(int64_t attempt_id, const std::string& path) {
-    connection_.begin_operation("extract the recording of attempt " + std::to_string(attempt_id) +
-                                " from");
-    context_.need_sight_of_attempt(attempt_id);
-    Statement query(connection_,
-                    "SELECT size_bytes, checksum, content FROM recordings WHERE attempt_id = ?");
-    query.run(attempt_id);
-    if (!query.next()) connection_.fail(Kind::kNotFound, "the attempt has no recording");
-    const QByteArray content = query.bytes("content");
-    Bytes file;
-    try {
-        file = decompress(std::as_bytes(std::span(content.data(), content.size())),
-                          static_cast<size_t>(query.integer("size_bytes")));
-    } catch (const StoreError&) {
-        file.clear();
-    }
-    if (checksum_hex(file) != query.text("checksum"))
-        connection_.fail(Kind::kDamaged,
-                         "the recording in the store is damaged; a backup may still have it");
-    // Written beside and renamed: never half a file.
-    QSaveFile out(QString::fromStdString(path));
-    if (!out.open(QIODevice::WriteOnly) ||
-        out.write(reinterpret_cast<const char*>(file.data()), static_cast<qint64>(file.size())) !=
-            static_cast<qint64>(file.size()) ||
-        !out.commit())
-        connection_.fail(Kind::kUnavailable, "cannot write " + path + " (" +
-                                                 out.errorString().toStdString() +
-                                                 "); choose another place");
-}
-
 std::optional<int64_t> Attempts::find_recording(const std::string& recording_file) {
     connection_.begin_operation("look for a recording in");
     context_.need(Action::kUseStore);
@@ -286,31 +255,6 @@ std::optional<int64_t> Attempts::find_recording(const std::string& recording_fil
     query.run(checksum);
     if (!query.next()) return std::nullopt;
     return query.integer(0);
-}
-
-void Attempts::check_recordings(std::vector<std::string>& problems) {
-    context_.need(Action::kBackup);
-    std::vector<int64_t> ids;
-    Statement list(connection_, "SELECT attempt_id FROM recordings ORDER BY attempt_id");
-    list.run();
-    while (list.next()) ids.push_back(list.integer(0));
-    for (const int64_t id : ids) {
-        Statement query(connection_,
-                        "SELECT size_bytes, checksum, content FROM recordings WHERE attempt_id = "
-                        "?");
-        query.run(id);
-        if (!query.next()) continue;
-        try {
-            const QByteArray content = query.bytes("content");
-            const Bytes file = decompress(std::as_bytes(std::span(content.data(), content.size())),
-                                          static_cast<size_t>(query.integer("size_bytes")));
-            if (checksum_hex(file) == query.text("checksum")) continue;
-        } catch (const StoreError&) {
-            // Reported below, like a wrong checksum.
-        }
-        problems.push_back("recordings: the recording of attempt " + std::to_string(id) +
-                           " is damaged");
-    }
 }
 
 }  // namespace placode::db

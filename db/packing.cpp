@@ -6,6 +6,7 @@
 #include <zstd.h>
 
 #include <array>
+#include <memory>
 
 #include "db/hex.h"
 #include "db/password.h"
@@ -42,6 +43,36 @@ Bytes decompress(std::span<const std::byte> packed, size_t size) {
         throw StoreError(StoreError::Kind::kDamaged,
                          "decompress: the compressed bytes are damaged");
     return bytes;
+}
+
+std::string checksum_of_packed(std::span<const std::byte> packed, size_t size) {
+    need_sodium();
+    const auto damaged = [] {
+        return StoreError(StoreError::Kind::kDamaged,
+                          "decompress: the compressed bytes are damaged");
+    };
+    const std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream(ZSTD_createDStream(),
+                                                                            ZSTD_freeDStream);
+    if (stream == nullptr || stated_size(packed) != size) throw damaged();
+    Bytes part(ZSTD_DStreamOutSize());
+    ZSTD_inBuffer in{packed.data(), packed.size(), 0};
+    crypto_generichash_state state;
+    std::array<unsigned char, 32> sum{};
+    crypto_generichash_init(&state, nullptr, 0, sum.size());
+    size_t got = 0;
+    for (size_t left = 1; left != 0;) {
+        ZSTD_outBuffer out{part.data(), part.size(), 0};
+        const size_t read_before = in.pos;
+        left = ZSTD_decompressStream(stream.get(), &out, &in);
+        got += out.pos;
+        const bool stands_still = out.pos == 0 && in.pos == read_before;
+        if (ZSTD_isError(left) != 0 || got > size || (left != 0 && stands_still)) throw damaged();
+        crypto_generichash_update(&state, reinterpret_cast<const unsigned char*>(part.data()),
+                                  out.pos);
+    }
+    if (got != size || in.pos != in.size) throw damaged();
+    crypto_generichash_final(&state, sum.data(), sum.size());
+    return hex_of(sum);
 }
 
 std::string checksum_hex(std::span<const std::byte> bytes) {

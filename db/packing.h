@@ -19,6 +19,10 @@ using Bytes = std::vector<std::byte>;
 /// Throws StoreError(kDamaged) when the content is not exactly `size` bytes of good zstd.
 [[nodiscard]] Bytes decompress(std::span<const std::byte> packed, size_t size);
 
+/// What checksum_hex() gives for the content, which is never in memory as a whole: a few kB of zstd
+/// can hold as many GB of zeros. Throws StoreError(kDamaged) as decompress() does.
+[[nodiscard]] std::string checksum_of_packed(std::span<const std::byte> packed, size_t size);
+
 /// Appends a text of any content, so that no two lists of texts give the same whole.
 inline void add_text(std::string& all, const std::string& text) {
     all += std::to_string(text.size()) + ":" + text + ";";
