@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "db/foreign_store.h"
 #include "db/sql_connection.h"
 #include "db/sqlite_file.h"
 #include "db/station.h"
@@ -46,6 +47,7 @@ CopyResult erase_in_copy(const std::string& path, const Erasure& erasure) {
     // Retention goes by age: the copy is not a newer one for this.
     const auto age = fs::last_write_time(path);
     CopyResult result = CopyResult::kHeldNobody;
+    need_own_schema(path, "open " + url);
     {
         const auto copy = open_store(url);
         copy->act_as("erasure of copies");

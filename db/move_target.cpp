@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "db/durable_file.h"
+#include "db/foreign_store.h"
 #include "db/held_store.h"
 #include "db/schema.h"
 #include "db/sqlite_file.h"
@@ -88,6 +89,7 @@ void MoveTarget::needFreeFile() {
     if (is_filled(url_.path)) {
         if (fs::is_directory(url_.path) || !is_marked_as_store(url_.path))
             refuse("there is another program's file; give another place");
+        need_own_schema(url_.path, operation_, options_.migrations);
         Connection there(url_);
         const auto place = place_of(there);
         // The store as it was when it moved away: it is kept under another name.
@@ -99,6 +101,7 @@ void MoveTarget::needFreeFile() {
     if (!is_filled(part.path)) return;
     std::optional<StorePlace> place;
     if (is_marked_as_store(part.path)) {
+        need_own_schema(part.path, operation_, options_.migrations);
         Connection there(part);
         place = place_of(there);
     }
@@ -203,6 +206,8 @@ void MoveTarget::finishServer() {
 
 std::string MoveTarget::finishFile() {
     const StoreUrl part = working();
+    // Somebody may have put another file there since need_free().
+    need_own_schema(is_filled(part.path) ? part.path : url_.path, operation_, options_.migrations);
     if (!is_filled(part.path)) {
         Connection there(url_);
         there.begin_operation("move to");
@@ -237,6 +242,7 @@ std::string MoveTarget::putOldFileAside() {
     if (!is_filled(url_.path)) return {};
     std::string stamp;
     {
+        need_own_schema(url_.path, operation_, options_.migrations);
         Connection old(url_);
         old.begin_operation("move to");
         const auto place = place_of(old);

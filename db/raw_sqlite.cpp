@@ -8,38 +8,35 @@
 
 namespace placode::db {
 
-void fail_sqlite(int code, const std::string& operation, const std::string& path,
-                 const std::string& advice) {
+StoreError::Kind kind_of_sqlite(int code) noexcept {
     using Kind = StoreError::Kind;
-    Kind kind = Kind::kOther;
     switch (code & 0xff) {
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
-            kind = Kind::kLocked;
-            break;
+            return Kind::kLocked;
         case SQLITE_CORRUPT:
         case SQLITE_NOTADB:
-            kind = Kind::kDamaged;
-            break;
+            return Kind::kDamaged;
         case SQLITE_CANTOPEN:
         case SQLITE_READONLY:
         case SQLITE_PERM:
         case SQLITE_FULL:
         case SQLITE_IOERR:
-            kind = Kind::kUnavailable;
-            break;
+            return Kind::kUnavailable;
         default:
-            break;
+            return Kind::kOther;
     }
-    throw StoreError(kind, operation + " " + path + ": " + sqlite3_errstr(code) + "; " + advice);
+}
+
+void fail_sqlite(int code, const std::string& operation, const std::string& path,
+                 const std::string& advice) {
+    throw StoreError(kind_of_sqlite(code),
+                     operation + " " + path + ": " + sqlite3_errstr(code) + "; " + advice);
 }
 
 namespace {
 
 constexpr int kStepsBetween = 10'000;
-// A recording of an hour takes a few million; a question without an end is over in two seconds.
-constexpr int64_t kMostSteps = 100'000'000;
-constexpr int kLongestValue = 80 << 20, kLongestSql = 4096, kDeepest = 20;
 
 int count_steps(void* left) {
     auto& steps = *static_cast<int64_t*>(left);
@@ -49,8 +46,16 @@ int count_steps(void* left) {
 
 }  // namespace
 
-ForeignDatabase::ForeignDatabase(const std::string& path)
-    : steps_left_(std::make_unique<int64_t>(kMostSteps)) {
+void distrust_schema(sqlite3* database) noexcept {
+    for (const auto& [option, value] : {std::pair{SQLITE_DBCONFIG_DEFENSIVE, 1},
+                                        {SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+                                        {SQLITE_DBCONFIG_ENABLE_VIEW, 0},
+                                        {SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0}})
+        sqlite3_db_config(database, option, value, nullptr);
+}
+
+ForeignDatabase::ForeignDatabase(const std::string& path, const ForeignLimits& limits)
+    : steps_left_(std::make_unique<int64_t>(limits.most_steps)) {
     std::error_code ignored;
     const bool journal = std::filesystem::exists(path + "-journal", ignored);
     sqlite3* database = nullptr;
@@ -58,20 +63,25 @@ ForeignDatabase::ForeignDatabase(const std::string& path)
                             journal ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY, nullptr);
     database_.reset(database);
     if (code_ != SQLITE_OK) return;
-    for (const auto& [option, value] : {std::pair{SQLITE_DBCONFIG_DEFENSIVE, 1},
-                                        {SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
-                                        {SQLITE_DBCONFIG_ENABLE_VIEW, 0},
-                                        {SQLITE_DBCONFIG_ENABLE_TRIGGER, 0},
-                                        {SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0}})
-        sqlite3_db_config(database, option, value, nullptr);
-    for (const auto& [limit, value] : {std::pair{SQLITE_LIMIT_LENGTH, kLongestValue},
-                                       {SQLITE_LIMIT_SQL_LENGTH, kLongestSql},
-                                       {SQLITE_LIMIT_EXPR_DEPTH, kDeepest},
+    distrust_schema(database);
+    sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+    for (const auto& [limit, value] : {std::pair{SQLITE_LIMIT_LENGTH, limits.longest_value_bytes},
+                                       {SQLITE_LIMIT_SQL_LENGTH, limits.longest_sql_bytes},
+                                       {SQLITE_LIMIT_EXPR_DEPTH, limits.deepest_expression},
                                        {SQLITE_LIMIT_COMPOUND_SELECT, 2},
                                        {SQLITE_LIMIT_ATTACHED, 0}})
         sqlite3_limit(database, limit, value);
     sqlite3_exec(database, "PRAGMA cell_size_check = ON", nullptr, nullptr, nullptr);
     sqlite3_progress_handler(database, kStepsBetween, count_steps, steps_left_.get());
+}
+
+std::string ForeignDatabase::schema_problem() const {
+    const RawStatement query(get(), "SELECT 1 FROM sqlite_schema");
+    const int code = query.prepared() & 0xff;
+    if (code != SQLITE_CORRUPT && code != SQLITE_ERROR && code != SQLITE_TOOBIG) return {};
+    // It quotes the file, which may say anything at any length.
+    constexpr size_t kMostSaid = 200;
+    return std::string(sqlite3_errmsg(get())).substr(0, kMostSaid);
 }
 
 std::string ForeignDatabase::other_schema(std::initializer_list<const char*> statements) const {

@@ -108,6 +108,8 @@ class FileReader {
             fail(Kind::kTooNew, "its format is " + std::to_string(format) +
                                     ", this program knows " +
                                     std::to_string(sim::kRecordingFormat) + "; update Placode");
+        if (const std::string problem = database_->schema_problem(); !problem.empty())
+            fail(Kind::kDamaged, "its tables cannot be read (" + problem + ")");
         if (const std::string other = database_->other_schema({kMetaTable, kChunksTable});
             !other.empty())
             fail(Kind::kDamaged, "it is no recording: it holds " + other +

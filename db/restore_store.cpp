@@ -7,6 +7,7 @@
 
 #include "db/durable_file.h"
 #include "db/erasure.h"
+#include "db/foreign_store.h"
 #include "db/held_store.h"
 #include "db/raw_sqlite.h"
 #include "db/sqlite_file.h"
@@ -29,6 +30,7 @@ std::vector<ErasedPerson> erased_meanwhile(const std::string& path, std::string&
     const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
     const SqlitePointer owner(database);
     if (code != SQLITE_OK) return {};
+    distrust_schema(database);
     RawStatement first(database, "SELECT chain FROM audit ORDER BY id LIMIT 1");
     if (first.prepared() != SQLITE_OK || first.step() != SQLITE_ROW) return {};
     store_id = first.text(0);
@@ -48,6 +50,11 @@ void prove(const std::string& copy, const std::string& backup_path, const std::s
     if (!is_marked_as_store(copy))
         throw StoreError(Kind::kDamaged,
                          operation + ": the file is not a backup of a store; nothing was changed");
+    // Anybody may have made it: nothing is run and nothing written before all of it was read.
+    need_own_schema(copy, operation);
+    if (const std::string problem = copy_problem(copy); !problem.empty())
+        throw StoreError(Kind::kDamaged, operation + ": the backup is damaged (" + problem +
+                                             "); nothing was changed");
     const auto store = open_store("sqlite:" + copy);
     auto problems = store->check();
     const std::string stated = head_file_of(backup_path);

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "db/foreign_store.h"
 #include "db/packing.h"
 
 namespace placode::db {
@@ -81,9 +82,7 @@ void create_register(Connection& connection) {
     UnitOfWork work(connection);
     // Two programs that start on an empty server at once would both create it.
     if (!connection.is_sqlite()) connection.execute("SELECT pg_advisory_xact_lock(1347371844)");
-    connection.execute(
-        "CREATE TABLE IF NOT EXISTS schema_migrations (name TEXT PRIMARY KEY, checksum TEXT NOT "
-        "NULL, applied_utc TEXT NOT NULL)");
+    connection.execute(kCreateRegister);
     work.commit();
 }
 
@@ -101,9 +100,7 @@ size_t check_applied(Connection& connection, const std::map<std::string, Applied
                                 " than this program's; use the program that made the store");
     }
     if (known < applied.size())
-        connection.fail(StoreError::Kind::kTooNew,
-                        "the store is newer than this program (its newest part is " +
-                            applied.rbegin()->first + "); update Placode");
+        connection.fail(StoreError::Kind::kTooNew, too_new_sentence(applied.rbegin()->first));
     return known;
 }
 
@@ -129,6 +126,10 @@ void apply_missing(Connection& connection, const std::vector<EmbeddedSql>& migra
 
 }  // namespace
 
+std::string too_new_sentence(const std::string& part) {
+    return "the store is newer than this program (its newest part is " + part + "); update Placode";
+}
+
 std::vector<std::string> statements_of(const EmbeddedSql& migration, Engine engine) {
     const Words& words = engine == Engine::kSqlite ? kSqliteWords : kPostgresqlWords;
     const std::string skipped =
@@ -151,6 +152,7 @@ bool migrate(Connection& connection, const std::vector<EmbeddedSql>& migrations,
     create_register(connection);
     const auto applied = applied_migrations(connection);
     const size_t known = check_applied(connection, applied, migrations);
+    need_nothing_that_acts(connection, migrations);
     if (known == migrations.size()) return false;
     need_owner(connection);
     if (known > 0) before_change();

@@ -14,6 +14,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "db/raw_sqlite.h"
+
 namespace placode::db {
 namespace {
 
@@ -126,6 +128,7 @@ void Connection::open() {
     }
     if (!database_.open()) fail(database_.lastError());
     if (is_sqlite()) {
+        distrust_schema(sqlite_handle());  // Before the first statement reads it.
         execute("PRAGMA foreign_keys = ON");
         execute("PRAGMA synchronous = FULL");
         execute("PRAGMA secure_delete = ON");  // What is erased leaves no bytes in free pages.

@@ -15,7 +15,6 @@
 #include <thread>
 
 #include "db/durable_file.h"
-#include "db/raw_sqlite.h"
 
 namespace placode::db {
 namespace {
@@ -102,15 +101,6 @@ bool has_moved(Connection& connection) {
     int moved = 0;
     sqlite3_file_control(connection.sqlite_handle(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
     return moved != 0;
-}
-
-/// First column of the first row, or what SQLite said.
-std::string answer_of(sqlite3* database, const char* sql) {
-    RawStatement query(database, sql);
-    if (query.prepared() != SQLITE_OK) return sqlite3_errmsg(database);
-    const int code = query.step();
-    if (code == SQLITE_ROW) return query.text(0);
-    return code == SQLITE_DONE ? "" : sqlite3_errmsg(database);
 }
 
 int64_t pragma(Connection& connection, const std::string& name) {
@@ -226,17 +216,6 @@ void copy_sqlite_store(Connection& connection, const std::string& path) {
                                                 "); the store is unchanged, give another place");
     }
     sync_file(path);
-}
-
-std::string copy_problem(const std::string& path) {
-    sqlite3* database = nullptr;
-    const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READONLY, nullptr);
-    const SqlitePointer owner(database);
-    if (code != SQLITE_OK) return sqlite3_errstr(code);
-    if (answer_of(database, "PRAGMA application_id") != std::to_string(kStoreApplicationId))
-        return "it does not bear the mark of a store";
-    const std::string said = answer_of(database, "PRAGMA integrity_check(1)");
-    return said == "ok" ? "" : said;
 }
 
 }  // namespace placode::db

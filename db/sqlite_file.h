@@ -44,7 +44,4 @@ void remove_sqlite_file(const std::string& path);
 /// StoreError when `path` exists.
 void copy_sqlite_store(Connection& connection, const std::string& path);
 
-/// What is wrong with a copy, opened and read from beginning to end; "" = nothing.
-[[nodiscard]] std::string copy_problem(const std::string& path);
-
 }  // namespace placode::db

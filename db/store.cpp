@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "db/durable_file.h"
+#include "db/foreign_store.h"
 #include "db/schema.h"
 #include "db/seals.h"
 #include "db/sqlite_file.h"
@@ -30,12 +31,13 @@ std::string file_stamp() {
 
 /// A copy counts once it was opened and read; one that does not pass stays as PATH.failed.
 /// @param deeper what else may be wrong with it; "" = nothing.
-void keep_checked_copy(Connection& connection, const std::string& path,
+void keep_checked_copy(StoreContext& context, const std::string& path,
                        const std::function<std::string(const std::string&)>& deeper = {}) {
+    Connection& connection = context.connection;
     const std::string part = path + kPartSuffix, failed = path + kFailedSuffix;
     remove_sqlite_file(part);
     copy_sqlite_store(connection, part);
-    std::string problem = copy_problem(part);
+    std::string problem = copy_problem(part, context.options.migrations);
     if (problem.empty() && deeper) problem = deeper(part);
     if (!problem.empty()) {
         std::filesystem::rename(part, failed);
@@ -102,14 +104,14 @@ void bring_up_to_date(StoreContext& context) {
     need_settled(connection);
     const auto& set = context.options.migrations;
     const bool changed =
-        migrate(connection, set.empty() ? embedded_migrations() : set, [&connection] {
+        migrate(connection, set.empty() ? embedded_migrations() : set, [&context, &connection] {
             if (!connection.is_sqlite() || connection.url().path == ":memory:") return;
             const std::string problem = sqlite_integrity_problem(connection);
             if (!problem.empty())
                 connection.fail(StoreError::Kind::kDamaged,
                                 "not migrated, because it is damaged (" + problem +
                                     "); restore a backup with `placodectl restore FILE`");
-            keep_checked_copy(connection, connection.url().path + ".before-update-" + file_stamp());
+            keep_checked_copy(context, connection.url().path + ".before-update-" + file_stamp());
         });
     if (changed) renew_station_role(connection);
     seal_what_was_there(context);
@@ -159,6 +161,11 @@ std::vector<std::string> Store::check() {
     if (connection.is_sqlite()) {
         const std::string problem = sqlite_integrity_problem(connection);
         if (!problem.empty()) problems.push_back("file: " + problem);
+        const std::string other = foreign_object(connection, context_->options.migrations);
+        if (!other.empty())
+            problems.push_back("schema: it holds " + other +
+                               ", which Placode did not make; have it taken out, until then there "
+                               "is no backup and no update");
         Statement keys(connection, "PRAGMA foreign_key_check");
         keys.run();
         if (keys.next())
@@ -202,7 +209,7 @@ void Store::backup(const std::string& path) {
     context_->append_audit("store.backup", path, "");
     work.commit();
     TrailHead head;
-    keep_checked_copy(connection, path, [this, &head](const std::string& copy) {
+    keep_checked_copy(*context_, path, [this, &head](const std::string& copy) {
         return first_problem(copy, context_->options, &head);
     });
     // A computer that cannot keep a key signs nothing.

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "db/accounts.h"
+#include "db/foreign_store.h"
 #include "db/held_store.h"
 #include "db/local_profile.h"
 #include "db/move_rows.h"
@@ -236,6 +237,7 @@ std::optional<MoveReport> finish_move(const std::string& from_url, const std::st
     if (from.engine == Engine::kSqlite &&
         (!std::filesystem::is_regular_file(from.path) || !is_marked_as_store(from.path)))
         return std::nullopt;
+    if (from.engine == Engine::kSqlite) need_own_schema(from.path, "move " + from.shown);
     Connection connection(from);
     connection.begin_operation("move");
     const auto place = place_of(connection);

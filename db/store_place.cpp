@@ -67,10 +67,7 @@ std::optional<StorePlace> place_of(Connection& connection) {
 
 void set_place(Connection& connection, const StorePlace& place) {
     if (!has_place(connection)) {
-        connection.execute(
-            std::string("CREATE TABLE ") + kPlaceTable +
-            " (state TEXT PRIMARY KEY, from_place TEXT NOT NULL, to_place TEXT NOT NULL, store "
-            "TEXT NOT NULL, entry BIGINT NOT NULL, chain TEXT NOT NULL, at_utc TEXT NOT NULL)");
+        connection.execute(kCreatePlaceTable);
         // A station's log-in is told as well.
         if (!connection.is_sqlite())
             connection.execute(std::string("GRANT SELECT ON ") + kPlaceTable + " TO PUBLIC");
@@ -104,12 +101,11 @@ void close_place(Connection& connection, const StorePlace& place,
     set_place(connection, place);
     std::vector<std::string> names{kPlaceTable, kMigrationsTable};
     for (const StoreTable& table : tables) names.push_back(table.name);
-    const std::string said = in_quotes(moved_sentence(place));
     if (!connection.is_sqlite())
         connection.execute(
             "CREATE FUNCTION store_was_moved() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN RAISE "
             "EXCEPTION USING MESSAGE = " +
-            said + "; END $$");
+            in_quotes(moved_sentence(place)) + "; END $$");
     for (const std::string& name : names) {
         if (!connection.is_sqlite()) {
             connection.execute("CREATE TRIGGER " + name +
@@ -118,10 +114,14 @@ void close_place(Connection& connection, const StorePlace& place,
             continue;
         }
         for (const char* change : {"INSERT", "UPDATE", "DELETE"})
-            connection.execute("CREATE TRIGGER " + name + "_has_moved_" + change + " BEFORE " +
-                               change + " ON " + name + " BEGIN SELECT RAISE(ABORT, " + said +
-                               "); END");
+            connection.execute(closing_trigger(name, change, place));
     }
+}
+
+std::string closing_trigger(const std::string& table, const std::string& change,
+                            const StorePlace& place) {
+    return "CREATE TRIGGER " + table + "_has_moved_" + change + " BEFORE " + change + " ON " +
+           table + " BEGIN SELECT RAISE(ABORT, " + in_quotes(moved_sentence(place)) + "); END";
 }
 
 std::string place_name(const StoreUrl& url) {

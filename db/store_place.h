@@ -13,6 +13,9 @@
 namespace placode::db {
 
 inline constexpr const char* kPlaceTable = "store_move";
+inline constexpr const char* kCreatePlaceTable =
+    "CREATE TABLE store_move (state TEXT PRIMARY KEY, from_place TEXT NOT NULL, to_place TEXT NOT "
+    "NULL, store TEXT NOT NULL, entry BIGINT NOT NULL, chain TEXT NOT NULL, at_utc TEXT NOT NULL)";
 
 struct StorePlace {
     enum class State : uint8_t {
@@ -42,6 +45,10 @@ void need_settled(Connection& connection);
 /// every table, also by programs that have the store open.
 void close_place(Connection& connection, const StorePlace& place,
                  const std::vector<StoreTable>& tables);
+
+/// In a file the trigger that refuses one kind of change ("INSERT") of one table.
+[[nodiscard]] std::string closing_trigger(const std::string& table, const std::string& change,
+                                          const StorePlace& place);
 
 /// The address as both places keep it: a full path, a port, no password and no options but the
 /// folder of a socket.

@@ -94,6 +94,13 @@ void ShellTroubleTest::everyTroubleHasUserWords_data() {
     row("refused",
         store(Kind::kRefused, "set a PIN in sqlite:/tmp/x.db: a PIN has four to twelve digits"),
         "A PIN has four to twelve digits.");
+    row("foreign",
+        store(Kind::kRefused,
+              "restore /tmp/b.db to sqlite:/tmp/x.db: it holds the trigger \"t\" of the table "
+              "\"audit\", which Placode did not make and which may be there to do harm; nothing "
+              "was changed; use another copy of the store, or have whoever put it there take it "
+              "out"),
+        "It holds the trigger \"t\"");
     row("missing", store(Kind::kNotFound, "read sqlite:/tmp/x.db: there is no attempt 9"),
         "not there any more");
     row("sql", store(Kind::kOther, "save sqlite:/tmp/x.db: near SELECT: SQL error; nothing"),

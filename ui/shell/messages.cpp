@@ -290,6 +290,7 @@ Problem health_problem(const QString& line) {
     static const QRegularExpression kAttempt("the recording of attempt (\\d+) is damaged");
     static const QRegularExpression kAudit("audit: entry (\\d+)");
     static const QRegularExpression kSeal("^seals: (.*?)( was .*| more objects)$");
+    static const QRegularExpression kForeign("^schema: it holds (.*), which Placode did not make");
     if (const auto attempt = kAttempt.match(line); attempt.hasMatch()) {
         problem.title =
             Messages::tr("The recording of attempt %1 is damaged.").arg(attempt.captured(1));
@@ -317,6 +318,12 @@ Problem health_problem(const QString& line) {
         problem.way_out = Messages::tr(
             "Ask who had access to the file or the server, and compare "
             "with a backup.");
+    } else if (const auto foreign = kForeign.match(line); foreign.hasMatch()) {
+        problem.title = Messages::tr("The store holds what Placode did not put there: %1.")
+                            .arg(foreign.captured(1));
+        problem.way_out = Messages::tr(
+            "Ask who put it there and have it taken out: until then the store is neither backed up "
+            "nor updated.");
     } else {
         problem.title = Messages::tr("The file of the store is damaged.");
         problem.way_out =

@@ -79,6 +79,11 @@ constexpr const char* kSentences[]{
     QT_TRANSLATE_NOOP("StoreWords",
                       "a store is being moved here from %1, and that is not finished; go on with "
                       "`%2`"),
+    // A file that holds more than Placode puts into one
+    QT_TRANSLATE_NOOP("StoreWords",
+                      "it holds %1, which Placode did not make and which may be there to do harm; "
+                      "nothing was changed; use another copy of the store, or have whoever put it "
+                      "there take it out"),
     // Published texts
     QT_TRANSLATE_NOOP("StoreWords",
                       "%1 is published with another text, which is never changed; give your text "

@@ -9900,6 +9900,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Dane zmieniono z zewnątrz: %1.</translation>
     </message>
     <message>
+        <source>The store holds what Placode did not put there: %1.</source>
+        <translation>Baza zawiera coś, czego nie umieścił w niej Placode: %1.</translation>
+    </message>
+    <message>
+        <source>Ask who put it there and have it taken out: until then the store is neither backed up nor updated.</source>
+        <translation>Ustal, kto to umieścił, i poproś o usunięcie: do tego czasu nie powstanie kopia zapasowa ani aktualizacja bazy.</translation>
+    </message>
+    <message>
         <source>The audit list was changed from outside, near entry %1.</source>
         <translation>Dziennik zdarzeń został zmieniony z zewnątrz, w pobliżu wpisu %1.</translation>
     </message>
@@ -10120,6 +10128,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>a store is being moved here from %1, and that is not finished; go on with `%2`</source>
         <translation>baza z %1 jest właśnie tu przenoszona i nie jest to zakończone; dokończ poleceniem `%2`</translation>
+    </message>
+    <message>
+        <source>it holds %1, which Placode did not make and which may be there to do harm; nothing was changed; use another copy of the store, or have whoever put it there take it out</source>
+        <translation>plik zawiera obiekt spoza Placode, być może podłożony w złym celu: %1; niczego nie zmieniono; użyj innej kopii bazy albo poproś o jego usunięcie osobę, która go tam umieściła</translation>
     </message>
     <message>
         <source>the proctor &quot;%1&quot; has no account here</source>
