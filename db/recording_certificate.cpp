@@ -12,15 +12,15 @@
 namespace placode::db {
 namespace {
 
-constexpr const char* kKey = "haptics";
-const std::string kWrite = "write the haptic certificate of the recording";
-const std::string kRead = "read the haptic certificate of the recording";
+constexpr const char* kCertificateKey = "haptics";
+const std::string kWriteCertificate = "write the haptic certificate of the recording";
+const std::string kReadCertificate = "read the haptic certificate of the recording";
 
 SqlitePointer open_to_write(const std::string& path) {
     sqlite3* database = nullptr;
     const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
     SqlitePointer owner(database);
-    if (code != SQLITE_OK) fail_sqlite(code, kWrite, path, "check that it is there");
+    if (code != SQLITE_OK) fail_sqlite(code, kWriteCertificate, path, "check that it is there");
     sqlite3_busy_timeout(database, 5000);
     return owner;
 }
@@ -32,7 +32,7 @@ void add_haptic_certificate(const std::string& path, const std::string& json) {
     sqlite3_exec(database.get(), "PRAGMA synchronous = EXTRA", nullptr, nullptr, nullptr);
     const char* const advice = "a recording takes one certificate, at its end";
     int code = sqlite3_exec(database.get(), "BEGIN IMMEDIATE", nullptr, nullptr, nullptr);
-    if (code != SQLITE_OK) fail_sqlite(code, kWrite, path, advice);
+    if (code != SQLITE_OK) fail_sqlite(code, kWriteCertificate, path, advice);
     // Only what this computer signed is signed again: nothing else becomes sound by an addition.
     Station station;
     const RecordingSeal seal = recording_seal(database.get());
@@ -43,24 +43,27 @@ void add_haptic_certificate(const std::string& path, const std::string& json) {
                             "INSERT INTO meta (key, value, checksum) VALUES (?, ?, ?)");
         code = insert.prepared();
         if (code == SQLITE_OK)
-            code = insert.bind(kKey).bind(json).bind(checksum_hex(std::string(kKey) + json)).step();
-        if (code != SQLITE_DONE) fail_sqlite(code, kWrite, path, advice);
+            code = insert.bind(kCertificateKey)
+                       .bind(json)
+                       .bind(checksum_hex(std::string(kCertificateKey) + json))
+                       .step();
+        if (code != SQLITE_DONE) fail_sqlite(code, kWriteCertificate, path, advice);
     }
     code = ours ? sign_recording(database.get()) : SQLITE_OK;
     if (code == SQLITE_OK) code = sqlite3_exec(database.get(), "COMMIT", nullptr, nullptr, nullptr);
-    if (code != SQLITE_OK) fail_sqlite(code, kWrite, path, advice);
+    if (code != SQLITE_OK) fail_sqlite(code, kWriteCertificate, path, advice);
 }
 
 std::string haptic_certificate(const std::string& path) {
-    const ForeignDatabase database = open_recording(path, kRead);
+    const ForeignDatabase database = open_recording(path, kReadCertificate);
     RawStatement query(database.get(), "SELECT value, checksum FROM meta WHERE key = ?");
     int code = query.prepared();
-    if (code == SQLITE_OK) code = query.bind(kKey).step();
+    if (code == SQLITE_OK) code = query.bind(kCertificateKey).step();
     if (code == SQLITE_DONE) return {};
-    if (code != SQLITE_ROW) fail_sqlite(code, kRead, path, "the file may be damaged");
+    if (code != SQLITE_ROW) fail_sqlite(code, kReadCertificate, path, "the file may be damaged");
     const std::string json = query.text(0);
-    if (checksum_hex(std::string(kKey) + json) != query.text(1))
-        throw StoreError(StoreError::Kind::kDamaged, kRead + " " + path + ": checksum");
+    if (checksum_hex(std::string(kCertificateKey) + json) != query.text(1))
+        throw StoreError(StoreError::Kind::kDamaged, kReadCertificate + " " + path + ": checksum");
     return json;
 }
 

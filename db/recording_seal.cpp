@@ -14,7 +14,7 @@
 namespace placode::db {
 namespace {
 
-constexpr const char* kKey = "station";
+constexpr const char* kStationKey = "station";
 const std::string kReadSignature = "read the signature of the recording";
 
 /// What is signed. The chunks' bytes are in it by their checksums, which every reader compares.
@@ -50,7 +50,7 @@ int sign_recording(sqlite3* database) {
     if (code != SQLITE_OK) return code;
     RawStatement insert(database, "INSERT INTO meta (key, value, checksum) VALUES (?, ?, ?)");
     if (insert.prepared() != SQLITE_OK) return insert.prepared();
-    code = insert.bind(kKey).bind(value).bind(checksum_hex(kKey + value)).step();
+    code = insert.bind(kStationKey).bind(value).bind(checksum_hex(kStationKey + value)).step();
     return code == SQLITE_DONE ? SQLITE_OK : code;
 }
 
