@@ -13,7 +13,7 @@
 namespace placode::db {
 namespace {
 
-[[noreturn]] void damaged(const std::string& what) {
+[[noreturn]] void damaged_reason(const std::string& what) {
     throw StoreError(StoreError::Kind::kDamaged,
                      "reason: " + what + "; restore a backup (placodectl restore)");
 }
@@ -22,21 +22,21 @@ double number(const std::string& text) {
     double value = 0;
     const auto done = std::from_chars(text.data(), text.data() + text.size(), value);
     if (done.ec != std::errc() || done.ptr != text.data() + text.size())
-        damaged("\"" + text + "\" is no number");
+        damaged_reason("\"" + text + "\" is no number");
     return value;
 }
 
-QString text_of(const std::string& text) { return QString::fromStdString(text); }
+QString qstring(const std::string& text) { return QString::fromStdString(text); }
 
 }  // namespace
 
 std::string reason_json(const assessment::ReasonMeaning& meaning) {
     if (meaning.pattern.empty()) return {};
-    QJsonObject pattern{{"en", text_of(meaning.pattern)}};
-    if (!meaning.pattern_pl.empty()) pattern["pl"] = text_of(meaning.pattern_pl);
+    QJsonObject pattern{{"en", qstring(meaning.pattern)}};
+    if (!meaning.pattern_pl.empty()) pattern["pl"] = qstring(meaning.pattern_pl);
     const QJsonObject json{{"pattern", pattern},
-                           {"metric", text_of(meaning.metric)},
-                           {"value", text_of(sim::shortest_text(meaning.value))},
+                           {"metric", qstring(meaning.metric)},
+                           {"value", qstring(sim::shortest_text(meaning.value))},
                            {"count", meaning.count},
                            {"hour", meaning.hour}};
     return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
@@ -46,11 +46,11 @@ assessment::ReasonMeaning reason_from_json(const std::string& text) {
     assessment::ReasonMeaning meaning;
     if (text.empty()) return meaning;
     const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
-    if (!document.isObject()) damaged("\"" + text + "\" is no JSON object");
+    if (!document.isObject()) damaged_reason("\"" + text + "\" is no JSON object");
     const QJsonObject json = document.object();
     const QJsonObject pattern = json["pattern"].toObject();
     meaning.pattern = pattern["en"].toString().toStdString();
-    if (meaning.pattern.empty()) damaged("it has no pattern");
+    if (meaning.pattern.empty()) damaged_reason("it has no pattern");
     meaning.pattern_pl = pattern["pl"].toString().toStdString();
     meaning.metric = json["metric"].toString().toStdString();
     meaning.value = number(json["value"].toString().toStdString());
