@@ -27,8 +27,12 @@ StoreContext::StoreContext(const StoreUrl& url, const StoreOptions& set)
         [this] {
             entries_.clear();
             touched_.clear();
+            last_entry_.reset();
         },
-        [this] { write_trail(); });
+        [this] { write_trail(); },
+        [this] {
+            if (last_entry_) written_ = last_entry_;
+        });
 }
 
 StoreContext::~StoreContext() { remember_trail(); }
@@ -83,7 +87,7 @@ void StoreContext::write_entry(TrailEntry entry, std::string& previous) {
                      "station, signature) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
     insert.run(row.at_utc, row.actor, row.action, row.object, row.detail, chain, entry.seals,
                entry.station, station.sign(signed_text(chain)));
-    written_ = Station::Head{insert.returned_id(), chain};
+    last_entry_ = Station::Head{insert.returned_id(), chain};
     previous = chain;
 }
 

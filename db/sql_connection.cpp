@@ -155,11 +155,14 @@ void Connection::commit_transaction() {
     if (committing_) committing_();
     execute("COMMIT");
     in_transaction_ = false;
+    if (committed_) committed_();
 }
 
-void Connection::watch_transactions(std::function<void()> begun, std::function<void()> committing) {
+void Connection::watch_transactions(std::function<void()> begun, std::function<void()> committing,
+                                    std::function<void()> committed) {
     begun_ = std::move(begun);
     committing_ = std::move(committing);
+    committed_ = std::move(committed);
 }
 
 void Connection::roll_back() noexcept {

@@ -32,8 +32,9 @@ class Connection {
     void begin_transaction();
     void commit_transaction();
     void roll_back() noexcept;  ///< Does nothing outside a transaction.
-    /// Called when a transaction began, and before it is committed, within it.
-    void watch_transactions(std::function<void()> begun, std::function<void()> committing);
+    /// Called when a transaction began, before it is committed, within it, and when it was.
+    void watch_transactions(std::function<void()> begun, std::function<void()> committing,
+                            std::function<void()> committed = {});
     void execute(const std::string& sql);  ///< One statement, no parameters, no result.
     /// Keeps others that ask for the same away from a table until the transaction ends. SQLite has
     /// done so already.
@@ -54,7 +55,7 @@ class Connection {
     QSqlDatabase database_;
     std::string operation_ = "open";
     bool in_transaction_ = false;
-    std::function<void()> begun_, committing_;
+    std::function<void()> begun_, committing_, committed_;
 };
 
 /// A reference: 0 is bound as NULL.

@@ -135,7 +135,10 @@ struct StoreContext {
     // Of the transaction that is under way.
     std::vector<AuditRecord> entries_;
     std::map<SealedObject, std::string> touched_;  ///< With the seal before.
-    std::optional<Station::Head> written_;         ///< The newest entry of this program.
+    std::optional<Station::Head> last_entry_;
+    /// The newest entry of this program that was committed: one that was rolled back and remembered
+    /// would make check() say that the trail was cut off.
+    std::optional<Station::Head> written_;
 };
 
 /// Most attempts have none.
