@@ -227,6 +227,13 @@ Statement& Statement::run_list(const std::vector<QVariant>& values) {
     return *this;
 }
 
+bool Statement::next() {
+    if (query_.next()) return true;
+    // Else a disk or a server that fails half-way would look like the end of a list.
+    if (query_.lastError().isValid()) connection_.fail(query_.lastError());
+    return false;
+}
+
 int64_t Statement::returned_id() {
     if (!next()) connection_.fail(Kind::kOther, "the engine gave no id");
     const int64_t id = integer(0);

@@ -78,7 +78,8 @@ class Statement {
     }
     /// The same with values in a list.
     Statement& run_list(const std::vector<QVariant>& values);
-    [[nodiscard]] bool next() { return query_.next(); }
+    /// The next row; false: there are no more. Throws StoreError when the rest cannot be read.
+    [[nodiscard]] bool next();
     /// The id that `INSERT ... RETURNING id` answers. Ends the statement: an open one would keep
     /// the transaction from committing.
     [[nodiscard]] int64_t returned_id();

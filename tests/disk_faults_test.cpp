@@ -264,4 +264,24 @@ TEST_F(DiskFaults, AStoreThatIsOpenGoesOnAfterAFault) {
     every_fault("an open store goes on", create, 8);
 }
 
+TEST_F(DiskFaults, AListIsWholeOrNotThere) {
+    for (int i = 0; i < 40; ++i)
+        db::open_store("sqlite:" + originals.file("placode.db"), options)
+            ->audit()
+            .write("unknown", "test.write", std::string(1000, 'x'), "");
+    size_t entries = 0;
+    Command list;
+    list.act = [&] {
+        const size_t found = db::open_store(url, options)->audit().trail(1000).size();
+        if (entries != 0 && found != entries)
+            throw std::runtime_error("only " + std::to_string(found) + " entries");
+    };
+    list.is_there = [&] {
+        entries = db::open_store(url, options)->audit().trail(1000).size();
+        return entries > 40;
+    };
+    list.again = [&](bool) { list.act(); };
+    fail_everywhere("list the trail: EIO when it is read", list, Fault::kReadError, 40);
+}
+
 }  // namespace THIS_TEST
