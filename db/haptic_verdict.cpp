@@ -9,9 +9,13 @@
 
 namespace placode::db {
 
-HapticVerdict haptic_verdict(const AttemptResult& result) noexcept {
+HapticVerdict haptic_verdict(const AttemptResult& result) {
     HapticVerdict out;
     std::string reasons;
+    const auto unreadable = [&] {
+        out.grade = haptics::grade_name(haptics::CertificateGrade::kBad);
+        reasons = "the haptic certificate of the recording cannot be read";
+    };
     try {
         out.certificate = result.haptic_certificate;
         if (out.certificate.empty() && !result.recording_file.empty())
@@ -23,9 +27,11 @@ HapticVerdict haptic_verdict(const AttemptResult& result) noexcept {
         if (verdict.grade != haptics::CertificateGrade::kBad) return out;
         for (const std::string& reason : verdict.reasons)
             reasons.append(reasons.empty() ? "" : "; ").append(reason);
+    } catch (const StoreError& error) {
+        if (may_pass(error)) throw;
+        unreadable();
     } catch (const std::exception&) {
-        out.grade = haptics::grade_name(haptics::CertificateGrade::kBad);
-        reasons = "the haptic certificate of the recording cannot be read";
+        unreadable();
     }
     if (!result.exam.course_id.empty()) out.void_reason = reasons;
     return out;

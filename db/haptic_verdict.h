@@ -17,7 +17,7 @@ struct HapticVerdict {
 };
 
 /// Takes the certificate from `result` or, where that is empty, from the recording file. One that
-/// cannot be read counts as bad. Never throws.
-[[nodiscard]] HapticVerdict haptic_verdict(const AttemptResult& result) noexcept;
+/// is damaged counts as bad. Throws StoreError where it cannot be read just now (may_pass()).
+[[nodiscard]] HapticVerdict haptic_verdict(const AttemptResult& result);
 
 }  // namespace placode::db

@@ -50,7 +50,8 @@ void decode_chunk(std::span<const std::byte> packed, size_t count, std::vector<s
 [[nodiscard]] ForeignDatabase open_recording(const std::string& path, const std::string& operation);
 
 /// Rolls back what a killed writer left half done, so that the bytes of the file are the recording.
-/// Does nothing for a file that is no recording. Never throws.
-void settle_recording_file(const std::string& path) noexcept;
+/// Does nothing for a file that is no recording. Throws StoreError where the disk fails or another
+/// program holds the file: its bytes would be half of a change.
+void settle_recording_file(const std::string& path);
 
 }  // namespace placode::db

@@ -101,8 +101,9 @@ class FileReader {
         if (database_->code() != SQLITE_OK)
             fail_sqlite(database_->code(), kRead, path_, "check that it may be read by you");
         sqlite3_busy_timeout(database_->get(), 5000);
-        if (pragma("application_id") != kRecordingApplicationId)
-            fail(Kind::kDamaged, "it is the database of another program, not a recording");
+        const bool ours = pragma("application_id") == kRecordingApplicationId;
+        need_content();  // A journal of the very first change was rolled back.
+        if (!ours) fail(Kind::kDamaged, "it is the database of another program, not a recording");
         const int64_t format = pragma("user_version");
         if (format > sim::kRecordingFormat)
             fail(Kind::kTooNew, "its format is " + std::to_string(format) +
@@ -266,10 +267,11 @@ ForeignDatabase open_recording(const std::string& path, const std::string& opera
     return database;
 }
 
-void settle_recording_file(const std::string& path) noexcept {
+void settle_recording_file(const std::string& path) {
     try {
         (void)FileReader(path);
-    } catch (const std::exception&) {
+    } catch (const StoreError& error) {
+        if (may_pass(error)) throw;
         // Not a recording that could be settled: its bytes are taken as they are.
     }
 }

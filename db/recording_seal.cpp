@@ -18,34 +18,55 @@ constexpr const char* kStationKey = "station";
 const std::string kReadSignature = "read the signature of the recording";
 
 /// What is signed. The chunks' bytes are in it by their checksums, which every reader compares.
-/// Empty when the file cannot be read.
-std::string signed_text_of(sqlite3* database) {
+/// @return an SQLite result code; SQLITE_OK: `text` is all of it.
+int signed_text_of(sqlite3* database, std::string& text) {
     std::string all;
     RawStatement meta(database, "SELECT key, value FROM meta WHERE key <> 'station' ORDER BY key");
     RawStatement chunks(database, "SELECT kind, first, count, checksum FROM chunks ORDER BY id");
-    if (meta.prepared() != SQLITE_OK || chunks.prepared() != SQLITE_OK) return {};
+    if (meta.prepared() != SQLITE_OK) return meta.prepared();
+    if (chunks.prepared() != SQLITE_OK) return chunks.prepared();
     int code = meta.step();
     for (; code == SQLITE_ROW; code = meta.step())
         for (int i = 0; i < 2; ++i) add_text(all, meta.text(i));
     all += '\n';
-    if (code != SQLITE_DONE) return {};
+    if (code != SQLITE_DONE) return code;
     for (code = chunks.step(); code == SQLITE_ROW; code = chunks.step()) {
         add_text(all, chunks.text(0));
         for (int i = 1; i < 3; ++i) add_text(all, std::to_string(chunks.integer(i)));
         add_text(all, chunks.text(3));
     }
-    if (code != SQLITE_DONE) return {};
-    return "placode recording 1\n" + checksum_hex(all);
+    if (code != SQLITE_DONE) return code;
+    text = "placode recording 1\n" + checksum_hex(all);
+    return SQLITE_OK;
+}
+
+/// Of a damaged file it can be said who signed it: nobody. Of one that the disk does not give now
+/// nothing can be said.
+void need_readable(sqlite3* database, int code) {
+    switch (code & 0xff) {
+        case SQLITE_OK:
+        case SQLITE_ROW:
+        case SQLITE_DONE:
+        case SQLITE_ERROR:
+        case SQLITE_CORRUPT:
+        case SQLITE_NOTADB:
+            return;
+        default:
+            fail_sqlite(code, kReadSignature, sqlite3_db_filename(database, "main"),
+                        "try again, and check the disk");
+    }
 }
 
 }  // namespace
 
 int sign_recording(sqlite3* database) {
     Station station;
-    const std::string text = signed_text_of(database);
-    if (text.empty() || station.public_key().empty()) return SQLITE_OK;
+    if (station.public_key().empty()) return SQLITE_OK;
+    std::string text;
+    int code = signed_text_of(database, text);
+    if (code != SQLITE_OK) return code;
     const std::string value = station.public_key() + " " + station.sign(text);
-    int code =
+    code =
         sqlite3_exec(database, "DELETE FROM meta WHERE key = 'station'", nullptr, nullptr, nullptr);
     if (code != SQLITE_OK) return code;
     RawStatement insert(database, "INSERT INTO meta (key, value, checksum) VALUES (?, ?, ?)");
@@ -56,13 +77,17 @@ int sign_recording(sqlite3* database) {
 
 RecordingSeal recording_seal(sqlite3* database) {
     RawStatement query(database, "SELECT value FROM meta WHERE key = 'station'");
-    if (query.prepared() != SQLITE_OK || query.step() != SQLITE_ROW) return {};
+    int code = query.prepared() == SQLITE_OK ? query.step() : query.prepared();
+    need_readable(database, code);
+    if (code != SQLITE_ROW) return {};
     std::istringstream words(query.text(0));
     RecordingSeal seal{RecordingSignature::kWrong, {}};
     std::string signature;
     words >> seal.station >> signature;
-    const std::string text = signed_text_of(database);
-    if (!text.empty() && signature_is_right(text, signature, seal.station))
+    std::string text;
+    code = signed_text_of(database, text);
+    need_readable(database, code);
+    if (code == SQLITE_OK && signature_is_right(text, signature, seal.station))
         seal.signature = RecordingSignature::kRight;
     return seal;
 }

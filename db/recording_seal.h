@@ -24,7 +24,8 @@ struct RecordingSeal {
     RecordingSignature signature = RecordingSignature::kNone;
     std::string station;  ///< Public key of who signed; empty without a signature.
 };
-/// Throws StoreError for what is no recording.
+/// Throws StoreError for what is no recording, and when it cannot be read just now: a signature
+/// that the disk did not give is not one that is missing.
 [[nodiscard]] RecordingSeal recording_seal(const std::string& path);
 [[nodiscard]] RecordingSeal recording_seal(sqlite3* database);
 

@@ -31,4 +31,11 @@ class StoreError : public std::runtime_error {
     Kind kind_;
 };
 
+/// What says nothing about the data itself: the disk failed, or another program holds the file.
+/// Nothing may be concluded from it that stays.
+[[nodiscard]] inline bool may_pass(const StoreError& error) noexcept {
+    return error.kind() == StoreError::Kind::kUnavailable ||
+           error.kind() == StoreError::Kind::kLocked;
+}
+
 }  // namespace placode::db

@@ -189,6 +189,7 @@ class DiskFaults : public testing::Test {
         }
     }
 
+    Command saving(const std::string& recording);
     /// The number of accounts of a store that is whole.
     [[nodiscard]] int accounts_of(const std::string& file) const {
         const auto store = db::open_store("sqlite:" + file, options);
@@ -282,6 +283,42 @@ TEST_F(DiskFaults, AListIsWholeOrNotThere) {
     };
     list.again = [&](bool) { list.act(); };
     fail_everywhere("list the trail: EIO when it is read", list, Fault::kReadError, 40);
+}
+
+/// Saving an attempt with one of the recordings.
+Command DiskFaults::saving(const std::string& recording) {
+    auto result = std::make_shared<db::AttemptResult>(make_result());
+    result->header.demonstration = false;  // It counts, so its signature is looked at.
+    if (recording == kInterrupted) result->end.reason = sim::EndReason::kInterrupted;
+    Command save;
+    save.act = [this, result, recording] {
+        result->recording_file = folder->file(recording);
+        (void)db::open_store(url, options)->attempts().save(1, *result);
+    };
+    save.is_there = [this, recording] {
+        EXPECT_EQ(accounts_of(path), kOld);
+        const auto store = db::open_store(url, options);
+        const auto found = store->attempts().list(1, "");
+        EXPECT_LE(found.size(), 1u);
+        for (const auto& attempt : found) {
+            EXPECT_EQ(attempt.void_reason, "");
+            EXPECT_EQ(attempt.haptic_grade, "") << "it has no certificate, sound or not";
+        }
+        // By its bytes, after what was half written into it was rolled back.
+        EXPECT_EQ(store->attempts().find_recording(folder->file(recording)).has_value(),
+                  found.size() == 1);
+        return found.size() == 1;
+    };
+    save.again = [save](bool was_there) {
+        if (!was_there) save.act();
+    };
+    return save;
+}
+
+TEST_F(DiskFaults, AnAttemptIsSaved) { every_fault("save an attempt", saving(kWhole), 12); }
+
+TEST_F(DiskFaults, AnInterruptedAttemptIsSaved) {
+    every_fault("save an interrupted attempt", saving(kInterrupted), 12);
 }
 
 }  // namespace THIS_TEST
