@@ -93,8 +93,7 @@ class FileReader {
 
     void open() {
         if (!fs::is_regular_file(path_)) fail(Kind::kNotFound, "there is no such file");
-        if (fs::file_size(path_) == 0)
-            fail(Kind::kDamaged, "the file is empty: the attempt never began; it can be removed");
+        need_content();
         if (fs::file_size(path_) > kMostRecordingBytes)
             fail(Kind::kDamaged, "the file is larger than 1 GiB, no recording is");
         database_.emplace(path_);
@@ -117,6 +116,11 @@ class FileReader {
                                      ", and a recording holds two tables and nothing else");
     }
 
+    void need_content() const {
+        if (fs::file_size(path_) == 0)
+            fail(Kind::kDamaged, "the file is empty: the attempt never began; it can be removed");
+    }
+
     int64_t pragma(const std::string& name) {
         RawStatement query(database_->get(), ("PRAGMA " + name).c_str());
         const int code = query.prepared() == SQLITE_OK ? query.step() : query.prepared();
@@ -129,6 +133,8 @@ class FileReader {
     std::optional<std::string> meta(const std::string& key) {
         RawStatement query(database_->get(), "SELECT value, checksum FROM meta WHERE key = ?");
         int code = query.prepared();
+        // open() has seen that what tables there are have this column: there are none.
+        if (code == SQLITE_ERROR) return std::nullopt;
         if (code == SQLITE_OK) code = query.bind(key).step();
         if (code == SQLITE_DONE) return std::nullopt;
         if (code != SQLITE_ROW)

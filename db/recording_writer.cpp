@@ -18,6 +18,7 @@
 #include "db/recording_chunks.h"
 #include "db/recording_file.h"
 #include "db/recording_seal.h"
+#include "db/sqlite_file.h"
 
 namespace placode::db {
 namespace {
@@ -65,31 +66,20 @@ class FileSink final : public sim::RecordingSink {
                     (errno == EEXIST ? "; it is not overwritten, give another name"
                                      : "; choose another place"));
         ::close(file);
-        sqlite3* database = nullptr;
-        const int code = sqlite3_open_v2(path.c_str(), &database,
-                                         SQLITE_OPEN_READWRITE | SQLITE_OPEN_FULLMUTEX, nullptr);
-        database_.reset(database);
-        if (code != SQLITE_OK) fail_sqlite(code, kWrite, path_, kAdvice);
-        // Whoever reads the file of a running attempt locks it meanwhile: on a busy machine that
-        // took more than 2 s once, and cost the rest of a recording. The rings hold what comes.
-        sqlite3_busy_timeout(database, 15'000);
-        // A rollback journal, not a write-ahead log: after every commit the one file is everything.
-        // EXTRA also makes the removal of the journal survive a power cut.
-        execute("PRAGMA journal_mode = DELETE");
-        execute("PRAGMA synchronous = EXTRA");
-        execute("PRAGMA application_id = " + std::to_string(kRecordingApplicationId));
-        execute("PRAGMA user_version = " + std::to_string(sim::kRecordingFormat));
-        execute("BEGIN IMMEDIATE");
-        execute(kMetaTable);
-        execute(kChunksTable);
-        put_meta("writer", writer_name(::getpid()));
-        execute("COMMIT");
+        try {
+            open();
+        } catch (...) {
+            // What was never made keeps its name free.
+            database_.reset();
+            forget_sqlite_file(path);
+            throw;
+        }
     }
 
     /// An attempt that never began (its device was not there) leaves no file.
     ~FileSink() override {
         database_.reset();
-        if (!began_) ::unlink(path_.c_str());
+        if (!began_) forget_sqlite_file(path_);
     }
     FileSink(const FileSink&) = delete;
     FileSink& operator=(const FileSink&) = delete;
@@ -124,6 +114,28 @@ class FileSink final : public sim::RecordingSink {
     }
 
  private:
+    void open() {
+        sqlite3* database = nullptr;
+        const int code = sqlite3_open_v2(path_.c_str(), &database,
+                                         SQLITE_OPEN_READWRITE | SQLITE_OPEN_FULLMUTEX, nullptr);
+        database_.reset(database);
+        if (code != SQLITE_OK) fail_sqlite(code, kWrite, path_, kAdvice);
+        // Whoever reads the file of a running attempt locks it meanwhile: on a busy machine that
+        // took more than 2 s once, and cost the rest of a recording. The rings hold what comes.
+        sqlite3_busy_timeout(database, 15'000);
+        // A rollback journal, not a write-ahead log: after every commit the one file is everything.
+        // EXTRA also makes the removal of the journal survive a power cut.
+        execute("PRAGMA journal_mode = DELETE");
+        execute("PRAGMA synchronous = EXTRA");
+        execute("PRAGMA application_id = " + std::to_string(kRecordingApplicationId));
+        execute("PRAGMA user_version = " + std::to_string(sim::kRecordingFormat));
+        execute("BEGIN IMMEDIATE");
+        execute(kMetaTable);
+        execute(kChunksTable);
+        put_meta("writer", writer_name(::getpid()));
+        execute("COMMIT");
+    }
+
     template <class Work>
     void transact(Work&& work) {
         execute("BEGIN IMMEDIATE");

@@ -184,8 +184,14 @@ std::string sqlite_integrity_problem(Connection& connection) {
     return answer == "ok" ? "" : answer;
 }
 
+constexpr std::array<const char*, 4> kFilesOfSqlite{"", "-wal", "-shm", "-journal"};
+
 void remove_sqlite_file(const std::string& path) {
-    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(path + suffix);
+    for (const char* suffix : kFilesOfSqlite) fs::remove(path + suffix);
+}
+
+void forget_sqlite_file(const std::string& path) noexcept {
+    for (const char* suffix : kFilesOfSqlite) ::unlink((path + suffix).c_str());
 }
 
 void copy_sqlite_store(Connection& connection, const std::string& path) {
@@ -211,7 +217,7 @@ void copy_sqlite_store(Connection& connection, const std::string& path) {
     const std::string problem = code == SQLITE_OK ? "" : sqlite3_errstr(code);
     sqlite3_close(copy);
     if (!problem.empty()) {
-        ::unlink(path.c_str());
+        forget_sqlite_file(path);
         connection.fail(Kind::kUnavailable, "cannot write " + path + " (" + problem +
                                                 "); the store is unchanged, give another place");
     }

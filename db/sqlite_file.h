@@ -39,6 +39,8 @@ inline constexpr const char *kPartSuffix = ".part", *kFailedSuffix = ".failed",
 /// The file and what SQLite keeps beside it: a journal that a killed program left would be taken
 /// for that of the next file of this name. Throws std::filesystem::filesystem_error.
 void remove_sqlite_file(const std::string& path);
+/// The same as far as it can be done, after something else has failed.
+void forget_sqlite_file(const std::string& path) noexcept;
 
 /// A consistent copy (0600), while others may read and write, on the disk when it returns. Throws
 /// StoreError when `path` exists.

@@ -321,4 +321,53 @@ TEST_F(DiskFaults, AnInterruptedAttemptIsSaved) {
     every_fault("save an interrupted attempt", saving(kInterrupted), 12);
 }
 
+TEST_F(DiskFaults, AnAttemptIsRecorded) {
+    Command record;
+    const auto name = [&] { return folder->file("new.placode"); };
+    record.act = [&] {
+        curriculum::AttemptRecorder recorder(db::create_recording_file(name()),
+                                             make_result().header);
+        recorder.start();
+        for (int block = 0; block < kBlocks; ++block) {
+            for (int i = 0; i < kFrames; ++i) {
+                sim::Input input;
+                input.frame = block * kFrames + i;
+                EXPECT_TRUE(recorder.put(input));
+            }
+            while (recorder.kept() < (block + 1) * kFrames)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            if (recorder.problem().empty()) told->kept_frames = recorder.kept();
+        }
+        recorder.finish({sim::EndReason::kFinished, 0.75, 1, 0});
+        if (!recorder.problem().empty())
+            throw StoreError(StoreError::Kind::kUnavailable, recorder.problem());
+    };
+    record.is_there = [&] {
+        if (!fs::exists(name())) {
+            EXPECT_EQ(told->kept_frames, 0);
+            return false;
+        }
+        try {
+            const auto found = db::recover_recording_file(name());
+            EXPECT_EQ(found.damage, "");
+            EXPECT_GE(static_cast<int64_t>(found.recording.inputs.size()), told->kept_frames);
+            const bool whole = found.recording.end.reason == sim::EndReason::kFinished;
+            EXPECT_TRUE(!whole ||
+                        db::recording_seal(name()).signature == db::RecordingSignature::kRight);
+            return whole;
+        } catch (const StoreError& error) {
+            EXPECT_EQ(told->kept_frames, 0) << error.what();
+            EXPECT_STREQ(told->words, "") << "one that never began leaves no file";
+            EXPECT_THAT(error.what(), HasSubstr("never began"));
+            return false;
+        }
+    };
+    record.again = [&](bool was_there) {
+        if (was_there) return;
+        fs::remove(name());  // What is left is saved as interrupted, and removed.
+        record.act();
+    };
+    every_fault("record", record, 12);
+}
+
 }  // namespace THIS_TEST
