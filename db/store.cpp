@@ -35,18 +35,36 @@ void keep_checked_copy(StoreContext& context, const std::string& path,
                        const std::function<std::string(const std::string&)>& deeper = {}) {
     Connection& connection = context.connection;
     const std::string part = path + kPartSuffix, failed = path + kFailedSuffix;
-    remove_sqlite_file(part);
-    copy_sqlite_store(connection, part);
-    std::string problem = copy_problem(part, context.options.migrations);
-    if (problem.empty() && deeper) problem = deeper(part);
-    if (!problem.empty()) {
-        std::filesystem::rename(part, failed);
-        connection.fail(StoreError::Kind::kDamaged,
-                        "the copy does not pass its check (" + problem + ") and is kept as " +
-                            failed + "; check the store with `placodectl check`");
+    // Whatever fails leaves no copy that nobody knows of, and the same name may be given again.
+    bool named = false;
+    const auto forget = [&] {
+        forget_sqlite_file(part);
+        if (named) forget_sqlite_file(path);
+    };
+    try {
+        remove_sqlite_file(part);
+        copy_sqlite_store(connection, part);
+        std::string problem = copy_problem(part, context.options.migrations);
+        if (problem.empty() && deeper) problem = deeper(part);
+        if (!problem.empty()) {
+            std::filesystem::rename(part, failed);
+            connection.fail(StoreError::Kind::kDamaged,
+                            "the copy does not pass its check (" + problem + ") and is kept as " +
+                                failed + "; check the store with `placodectl check`");
+        }
+        std::filesystem::rename(part, path);
+        named = true;
+        sync_folder_of(path);
+        forget_sqlite_file(part);  // A log that is folded in and that SQLite could not remove.
+    } catch (const std::filesystem::filesystem_error& error) {
+        forget();
+        connection.fail(StoreError::Kind::kUnavailable,
+                        "cannot write " + path + " (" + error.code().message() +
+                            "); the store is unchanged, give another place");
+    } catch (...) {
+        forget();
+        throw;
     }
-    std::filesystem::rename(part, path);
-    sync_folder_of(path);
 }
 
 /// What the whole check says about a copy. @param head where its trail ends
@@ -213,7 +231,15 @@ void Store::backup(const std::string& path) {
         return first_problem(copy, context_->options, &head);
     });
     // A computer that cannot keep a key signs nothing.
-    if (!head.station.empty()) write_trail_head(head, head_file_of(path));
+    if (head.station.empty()) return;
+    try {
+        write_trail_head(head, head_file_of(path));
+    } catch (...) {
+        // Said to have failed, so it is not there: the same command may be given again.
+        forget_sqlite_file(path);
+        forget_sqlite_file(head_file_of(path));
+        throw;
+    }
 }
 
 std::unique_ptr<Store> open_store(const std::string& url, const StoreOptions& options) {

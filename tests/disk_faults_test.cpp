@@ -321,6 +321,53 @@ TEST_F(DiskFaults, AnInterruptedAttemptIsSaved) {
     every_fault("save an interrupted attempt", saving(kInterrupted), 12);
 }
 
+TEST_F(DiskFaults, AnOlderStoreIsBroughtUpToDate) {
+    auto newer = options;
+    newer.migrations = db::embedded_migrations();
+    newer.migrations.push_back({"9001_test.sql", "CREATE TABLE later (id {ID}) {STRICT};\n"});
+    Command update;
+    update.act = [&] { (void)db::open_store(url, newer); };
+    update.is_there = [&] {
+        for (const std::string& copy : names_with(".before-update-")) {
+            if (copy.find(".part") != std::string::npos) continue;
+            if (copy.find(".failed") != std::string::npos) continue;
+            EXPECT_EQ(accounts_of(copy), kOld);
+        }
+        const bool there = !RawConnection("QSQLITE", path)
+                                .value("SELECT name FROM sqlite_schema WHERE name = 'later'")
+                                .empty();
+        if (!there) {
+            EXPECT_EQ(accounts_of(path), kOld) << "the program of before still opens it";
+        }
+        return there;
+    };
+    update.again = [&](bool) {
+        const auto store = db::open_store(url, newer);
+        EXPECT_THAT(store->check(), IsEmpty());
+        EXPECT_EQ(store->accounts().list().size(), size_t{kOld});
+    };
+    update.leaves_no = {".part"};
+    every_fault("update a store", update, 12);
+}
+
+TEST_F(DiskFaults, ABackupIsMade) {
+    Command backup;
+    backup.act = [&] { db::open_store(url, options)->backup(folder->file("new.db")); };
+    backup.is_there = [&] {
+        EXPECT_EQ(accounts_of(path), kOld);
+        if (!fs::exists(folder->file("new.db"))) return false;
+        EXPECT_EQ(accounts_of(folder->file("new.db")), kOld);
+        return true;
+    };
+    backup.again = [&](bool was_there) {
+        if (!was_there) return backup.act();
+        EXPECT_EQ(failure_of(backup.act).kind(), StoreError::Kind::kConflict);
+    };
+    backup.leaves_no = {".part"};
+    backup.makes = "new.db";
+    every_fault("backup", backup, 12);
+}
+
 TEST_F(DiskFaults, AnAttemptIsRecorded) {
     Command record;
     const auto name = [&] { return folder->file("new.placode"); };
