@@ -223,7 +223,8 @@ std::string MoveTarget::finishFile() {
         UnitOfWork work(there);
         forget_place(there);
         work.commit();
-    }  // Closed: the log is in the file.
+    }
+    need_folded_log(part.path, operation_);
     try {
         Station(part).forget();
         Station(url_).forget();

@@ -83,24 +83,25 @@ std::string restore_store(const std::string& url, const std::string& backup_path
         throw StoreError(Kind::kNotFound, operation + ": there is no such backup");
     // 1. The backup is proved on a copy, which becomes the new store: it stays as it is itself.
     const std::string fresh = target.path + kRestoringSuffix;
-    const auto forget = [&fresh] {
-        remove_sqlite_file(fresh);
+    const auto forget_half_made = [&fresh] {
+        forget_sqlite_file(fresh);
         // How far the trail of a copy went that was killed: the next one begins behind it.
         Station(parse_store_url("sqlite:" + fresh)).forget();
     };
     std::string aside;
     try {
-        forget();
+        forget_half_made();
+        remove_sqlite_file(fresh);              // Says why a part of it cannot be removed.
         prepare_sqlite_file(fresh, operation);  // Folder, and file with mode 0600.
         fs::copy_file(backup_path, fresh, fs::copy_options::overwrite_existing);
         fs::permissions(fresh, fs::perms::owner_read | fs::perms::owner_write);
         prove(fresh, backup_path, operation, actor, target.path);
+        need_folded_log(fresh, operation);  // Else whoever was erased would be back.
         // The backup's trail ends earlier, and that is right. Before the exchange: a kill in
         // between leaves a computer that remembers nothing, never one that suspects.
         Station(target).forget();
         Station(parse_store_url("sqlite:" + fresh)).forget();
-        // 2. It takes the place of the old store, which is kept. prove() has closed it: it is one
-        // file.
+        // 2. It takes the place of the old store, which is kept.
         if (fs::exists(target.path)) {
             const HeldStore held(target, operation);
             aside =
@@ -113,12 +114,13 @@ std::string restore_store(const std::string& url, const std::string& backup_path
             fs::rename(fresh, target.path);
             sync_folder_of(target.path);
         }
+        forget_sqlite_file(fresh);  // A shared memory that SQLite could not remove.
         mark_store(target.path);
     } catch (const fs::filesystem_error& error) {
-        forget();
+        forget_half_made();
         throw StoreError(Kind::kUnavailable, operation + ": " + error.what());
     } catch (...) {
-        forget();
+        forget_half_made();
         throw;
     }
     return aside;

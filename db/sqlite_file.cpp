@@ -194,6 +194,14 @@ void forget_sqlite_file(const std::string& path) noexcept {
     for (const char* suffix : kFilesOfSqlite) ::unlink((path + suffix).c_str());
 }
 
+void need_folded_log(const std::string& path, const std::string& operation) {
+    std::error_code none;
+    const auto size = fs::file_size(path + "-wal", none);
+    if (none || size == 0) return;
+    throw StoreError(Kind::kUnavailable, operation + ": the disk did not take all of " + path +
+                                             "; check the disk and try again");
+}
+
 void copy_sqlite_store(Connection& connection, const std::string& path) {
     const int file = ::open(path.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0600);
     if (file < 0)

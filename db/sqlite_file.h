@@ -42,6 +42,11 @@ void remove_sqlite_file(const std::string& path);
 /// The same as far as it can be done, after something else has failed.
 void forget_sqlite_file(const std::string& path) noexcept;
 
+/// After the last connection to a file was closed, which folds the log into it and says nothing
+/// when the disk fails: throws StoreError(kUnavailable) while a log with what the file lacks lies
+/// beside it. To be asked before the file gets another name.
+void need_folded_log(const std::string& path, const std::string& operation);
+
 /// A consistent copy (0600), while others may read and write, on the disk when it returns. Throws
 /// StoreError when `path` exists.
 void copy_sqlite_store(Connection& connection, const std::string& path);

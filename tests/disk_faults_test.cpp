@@ -368,6 +368,24 @@ TEST_F(DiskFaults, ABackupIsMade) {
     every_fault("backup", backup, 12);
 }
 
+TEST_F(DiskFaults, ABackupIsRestored) {
+    Command restore;
+    restore.act = [&] { db::restore_store(url, folder->file("copy.db")); };
+    restore.is_there = [&] {
+        const int found = accounts_of(path);
+        EXPECT_THAT(found, AnyOf(kOld, kNew));
+        if (found != kNew) return false;
+        // Written into the copy before it takes the place of the store, as an erasure is.
+        EXPECT_EQ(db::open_store(url, options)->audit().trail(1).at(0).action, "store.restore");
+        const auto aside = names_with(".replaced-");
+        EXPECT_FALSE(aside.empty()) << "the old one is there under its other name";
+        return true;
+    };
+    restore.again = [&](bool) { restore.act(); };
+    restore.leaves_no = {".restoring"};
+    every_fault("restore", restore, 12);
+}
+
 TEST_F(DiskFaults, AnAttemptIsRecorded) {
     Command record;
     const auto name = [&] { return folder->file("new.placode"); };
