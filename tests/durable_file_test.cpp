@@ -5,11 +5,9 @@
 
 #include "db/durable_file.h"
 
-#include <gmock/gmock.h>
 #include <sys/resource.h>
 
-#include "tests/store_fixture.h"
-#include "tests/traced_child.h"
+#include "tests/durable_store.h"
 
 using namespace placode;
 using namespace placode::test;
@@ -22,93 +20,6 @@ namespace THIS_TEST {
 
 World* const world = World::install();
 
-constexpr int kOld = 6, kNew = 5;  // accounts
-constexpr int kExitOffset = 10;    // a StoreError's kind as exit status
-
-class DurableFile : public testing::Test {
- protected:
-    void SetUp() override {
-        ASSERT_NE(world, nullptr);
-        options.cheap_passwords = true;
-        const std::string url = "sqlite:" + original("placode.db");
-        const auto add = [&](db::Store& store, int i) {
-            store.accounts().create(
-                {"user" + std::to_string(i), "User", "correct horse battery", 8, false});
-        };
-        for (int i = 0; i < kNew; ++i) add(*db::open_store(url, options), i);
-        db::open_store(url, options)->backup(original("copy.db"));
-        add(*db::open_store(url, options), kNew);
-    }
-
-    /// Store and backup as they were, in a folder of their own.
-    void begin_again() {
-        folder = std::make_unique<TemporaryFolder>();
-        for (const char* name : {"placode.db", "copy.db", "placode.db.known"})
-            if (fs::exists(original(name))) fs::copy_file(original(name), folder->file(name));
-        path = folder->file("placode.db");
-    }
-    [[nodiscard]] std::string original(const std::string& name) const {
-        return originals.file(name);
-    }
-    [[nodiscard]] std::string url() const { return "sqlite:" + path; }
-
-    /// Exit status 0, or the kind of the error.
-    static int outcome(const std::function<void()>& work) {
-        try {
-            work();
-            return 0;
-        } catch (const StoreError& error) {
-            return kExitOffset + static_cast<int>(error.kind());
-        } catch (...) {
-            return 1;
-        }
-    }
-    [[nodiscard]] TracedRun run(const TracedOptions& traced, const std::function<void()>& work) {
-        begin_again();
-        return TracedChild(traced).run([&] { return outcome(work); });
-    }
-    /// Kills `work` before each of its steps in turn; `look` judges what is left.
-    void kill_everywhere(const std::function<void()>& work,
-                         const std::function<void(bool killed)>& look, TracedOptions traced = {}) {
-        const TracedRun whole = run(traced, work);
-        ASSERT_EQ(whole.exit_status, 0);
-        look(false);
-        ASSERT_GT(whole.steps, 10);
-        for (int step = 0; step < whole.steps; ++step) {
-            traced.kill_at = step;
-            const TracedRun cut = run(traced, work);
-            ASSERT_TRUE(cut.killed) << step;
-            SCOPED_TRACE("killed before: " + cut.log.back());
-            look(true);
-            if (HasFailure()) return;
-        }
-        RecordProperty("steps", whole.steps);
-    }
-    /// The number of accounts of a store that is whole.
-    [[nodiscard]] int accounts_of(const std::string& file) const {
-        const auto store = db::open_store("sqlite:" + file, options);
-        EXPECT_THAT(store->check(), IsEmpty());
-        return static_cast<int>(store->accounts().list().size());
-    }
-    [[nodiscard]] std::vector<std::string> names_with(const std::string& part) const {
-        std::vector<std::string> found;
-        for (const auto& entry : fs::directory_iterator(folder->path()))
-            if (entry.path().filename().string().find(part) != std::string::npos)
-                found.push_back(entry.path().string());
-        return found;
-    }
-    static void scramble(const std::string& file) {
-        std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
-        bytes.seekp(8192);
-        bytes << std::string(40000, 'x');
-    }
-
-    TemporaryFolder originals;
-    std::unique_ptr<TemporaryFolder> folder;
-    std::string path;
-    db::StoreOptions options;
-};
-
 size_t place_of(const std::vector<std::string>& log, const std::string& words) {
     for (size_t i = 0; i < log.size(); ++i)
         if (log[i].find(words) != std::string::npos) return i;
@@ -119,26 +30,27 @@ TEST_F(DurableFile, ARestoreKilledAnywhereLeavesTheOldOrTheNewStore) {
     for (const bool without_exchange : {false, true}) {
         TracedOptions traced;
         traced.without_exchange = without_exchange;
-        kill_everywhere([&] { db::restore_store(url(), folder->file("copy.db")); },
-                        [&](bool killed) {
-                            ASSERT_TRUE(fs::exists(path));
-                            const int found = accounts_of(path);
-                            EXPECT_THAT(found, AnyOf(kOld, kNew));
-                            if (!killed) {
-                                EXPECT_EQ(found, kNew);
-                                const auto aside = names_with(".replaced-");
-                                ASSERT_EQ(aside.size(), 1u);
-                                EXPECT_EQ(accounts_of(aside[0]), kOld);
-                            } else if (found == kNew) {
-                                EXPECT_FALSE(names_with(".replaced-").empty())
-                                    << "the old one is there under its other name";
-                            }
-                            // Whatever the killed one left is in nobody's way.
-                            if (without_exchange) return;
-                            db::restore_store(url(), folder->file("copy.db"));
-                            EXPECT_EQ(accounts_of(path), kNew);
-                        },
-                        traced);
+        kill_everywhere(
+            "killed: restore", [&] { db::restore_store(url(), folder->file("copy.db")); },
+            [&](bool killed) {
+                ASSERT_TRUE(fs::exists(path));
+                const int found = accounts_of(path);
+                EXPECT_THAT(found, AnyOf(kOld, kNew));
+                if (!killed) {
+                    EXPECT_EQ(found, kNew);
+                    const auto aside = names_with(".replaced-");
+                    ASSERT_EQ(aside.size(), 1u);
+                    EXPECT_EQ(accounts_of(aside[0]), kOld);
+                } else if (found == kNew) {
+                    EXPECT_FALSE(names_with(".replaced-").empty())
+                        << "the old one is there under its other name";
+                }
+                // Whatever the killed one left is in nobody's way.
+                if (without_exchange) return;
+                db::restore_store(url(), folder->file("copy.db"));
+                EXPECT_EQ(accounts_of(path), kNew);
+            },
+            traced);
     }
 }
 
@@ -155,6 +67,7 @@ TEST_F(DurableFile, ARestoreIsOnTheDiskBeforeItCounts) {
 
 TEST_F(DurableFile, ARestoreWhereNoStoreIsKilledAnywhereIsNoFirstStart) {
     kill_everywhere(
+        "killed: restore where no store is",
         [&] {
             fs::remove(path);
             db::restore_store(url(), folder->file("copy.db"));
@@ -173,26 +86,27 @@ TEST_F(DurableFile, AnUpdateKilledAnywhereLeavesAStoreThatOpens) {
     auto newer = options;
     newer.migrations = db::embedded_migrations();
     newer.migrations.push_back({"9001_test.sql", "CREATE TABLE later (id {ID}) {STRICT};\n"});
-    kill_everywhere([&] { (void)db::open_store(url(), newer); },
-                    [&](bool) {
-                        {
-                            const auto store = db::open_store(url(), newer);
-                            EXPECT_EQ(store->accounts().list().size(), size_t{kOld});
-                            EXPECT_THAT(store->check(), IsEmpty());
-                        }
-                        // Whatever is called a copy is a whole one; a part and its journal are not.
-                        for (const std::string& copy : names_with(".before-update-")) {
-                            if (copy.find(".part") != std::string::npos) continue;
-                            EXPECT_EQ(accounts_of(copy), kOld);
-                        }
-                    });
+    kill_everywhere(
+        "killed: update", [&] { (void)db::open_store(url(), newer); },
+        [&](bool) {
+            {
+                const auto store = db::open_store(url(), newer);
+                EXPECT_EQ(store->accounts().list().size(), size_t{kOld});
+                EXPECT_THAT(store->check(), IsEmpty());
+            }
+            // Whatever is called a copy is a whole one; a part and its journal are not.
+            for (const std::string& copy : names_with(".before-update-")) {
+                if (copy.find(".part") != std::string::npos) continue;
+                EXPECT_EQ(accounts_of(copy), kOld);
+            }
+        });
 }
 
 TEST_F(DurableFile, ABackupKilledAnywhereIsWholeOrNotThere) {
     TracedOptions traced;
     traced.every_nth_write = 40;
     kill_everywhere(
-        [&] { db::open_store(url(), options)->backup(folder->file("new.db")); },
+        "killed: backup", [&] { db::open_store(url(), options)->backup(folder->file("new.db")); },
         [&](bool killed) {
             EXPECT_EQ(accounts_of(path), kOld);
             const bool known =

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Runs work in a child process under ptrace, sees every system call of it that changes files, and
-// kills it at one of them: what a power cut or `kill -9` leaves behind.
+// kills it at one of them (what `kill -9` leaves behind) or lets that one fail.
 
 #include <fcntl.h>
 #include <sys/ptrace.h>
@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <functional>
@@ -23,6 +24,8 @@ namespace placode::test {
 struct TracedOptions {
     int kill_at = -1;               ///< Number of the step before which it is killed; -1 = never.
     int every_nth_write = 16;       ///< Of the writes into files only these count as steps.
+    int fail_at = -1;               ///< Number of the step that is not done; -1 = none.
+    int fail_with = EIO;            ///< What that step answers.
     bool without_exchange = false;  ///< renameat2() answers EINVAL, as on some file systems.
     /// Sees each step before it happens, e.g. "fsync /x/placode.db.restoring".
     std::function<void(const std::string&)> before;
@@ -69,9 +72,9 @@ class TracedChild {
     void on_call() {
         __ptrace_syscall_info info{};
         ::ptrace(PTRACE_GET_SYSCALL_INFO, pid_, sizeof info, &info);
-        if (info.op == PTRACE_SYSCALL_INFO_EXIT && refused_) {
-            answer(-EINVAL);
-            refused_ = false;
+        if (info.op == PTRACE_SYSCALL_INFO_EXIT && refused_ != 0) {
+            answer(-refused_);
+            refused_ = 0;
         }
         if (info.op != PTRACE_SYSCALL_INFO_ENTRY) return;
         const std::string step = name_of(info);
@@ -83,11 +86,10 @@ class TracedChild {
             result_.killed = true;
             return;
         }
+        if (options_.fail_at == result_.steps) refused_ = options_.fail_with;
         ++result_.steps;
-        if (options_.without_exchange && info.entry.nr == SYS_renameat2) {
-            number(-1);
-            refused_ = true;
-        }
+        if (options_.without_exchange && info.entry.nr == SYS_renameat2) refused_ = EINVAL;
+        if (refused_ != 0) number(-1);
     }
 
     std::string name_of(const __ptrace_syscall_info& info) {
@@ -111,6 +113,13 @@ class TracedChild {
             case SYS_copy_file_range:
             case SYS_sendfile:
                 return "copy " + file(info.entry.nr == SYS_sendfile ? at[0] : at[2]);
+            case SYS_link:
+                return "link " + text(at[0]) + " " + text(at[1]);
+            case SYS_mkdir:
+                return "mkdir " + text(at[0]);
+            case SYS_write:
+                // Into a file, not a pipe or a counter of Qt's.
+                return file(at[0]).starts_with('/') ? "write " + file(at[0]) : "";
             case SYS_pwrite64:
                 return writes_++ % options_.every_nth_write == 0 ? "write " + file(at[0]) : "";
             default:
@@ -154,7 +163,7 @@ class TracedChild {
     TracedRun result_;
     pid_t pid_ = -1;
     int writes_ = 0;
-    bool refused_ = false;
+    int refused_ = 0;  ///< What the call that is under way answers; 0 = what it likes.
 };
 
 }  // namespace placode::test
