@@ -160,18 +160,7 @@ std::optional<UserRecord> Accounts::find_login(const std::string& login) {
 std::optional<UserRecord> Accounts::find_staff(const std::string& login_or_name) {
     connection_.begin_operation("look up an educator in");
     context_.need(Action::kUseStore);
-    Statement query(connection_,
-                    user_columns() +
-                        "WHERE a.active = 1 AND (p.login_key = ? OR p.display_name = ?) ORDER BY "
-                        "CASE WHEN p.login_key = ? THEN 0 ELSE 1 END, p.login_key");
-    const std::string key = login_key(login_or_name);
-    query.run(key, login_or_name, key);
-    while (query.next()) {
-        UserRecord user = read_user(query);
-        if (has_role(user.roles, Role::kEducator) || has_role(user.roles, Role::kAdministrator))
-            return user;
-    }
-    return std::nullopt;
+    return context_.find_staff(login_or_name);
 }
 
 }  // namespace placode::db

@@ -8,12 +8,11 @@
 
 #include "assessment/signal.h"
 #include "db/attempt_counting.h"
+#include "db/attempt_doubts.h"
 #include "db/attempt_rows.h"
-#include "db/audit_check.h"
 #include "db/haptic_verdict.h"
 #include "db/packing.h"
 #include "db/recording_chunks.h"
-#include "db/recording_seal.h"
 #include "db/store_context.h"
 #include "sim/core/event.h"
 
@@ -25,53 +24,16 @@ using Kind = StoreError::Kind;
 /// Exams and attempts of studies count only when they were simulated again. What does not count
 /// anyway need not be.
 ReplayState replay_asked(const AttemptResult& result, const std::string& void_reason) {
-    const bool matters = !result.exam.course_id.empty() || !result.study.study.empty();
-    return matters && void_reason.empty() && !result.recording_file.empty() &&
+    return matters(result) && void_reason.empty() &&
                    result.end.reason != sim::EndReason::kInterrupted
                ? ReplayState::kWaiting
                : ReplayState::kNotReplayed;
 }
 
-/// Another attempt with the same bytes, or with the same end of the same case: no two people move
-/// alike to the last bit. Scripts do, and say that they are scripts.
-std::optional<int64_t> same_recording(Connection& connection, const AttemptResult& result,
-                                      const std::string& checksum) {
-    Statement bytes(connection,
-                    "SELECT attempt_id FROM recordings WHERE checksum = ? ORDER BY attempt_id");
-    bytes.run(checksum);
-    if (bytes.next()) return bytes.integer(0);
-    if (result.header.demonstration || result.end.final_hash == 0) return std::nullopt;
-    Statement end(connection,
-                  "SELECT id FROM attempts WHERE final_hash = ? AND task_id = ? AND seed = ? "
-                  "AND demonstration = 0 ORDER BY id");
-    end.run(std::to_string(result.end.final_hash), result.header.task_id,
-            std::to_string(result.header.seed));
-    if (end.next()) return end.integer(0);
-    return std::nullopt;
-}
-
-/// What may count for a person, a study or a norm. A demonstration does not pretend to.
-bool needs_signature(const AttemptResult& result) {
-    if (result.end.reason == sim::EndReason::kInterrupted)
-        return false;  // broke off before its end
-    return !result.header.demonstration || !result.exam.course_id.empty() ||
-           !result.study.study.empty();
-}
-
-/// "" when a computer of this store signed the recording; else the fingerprint of who did, or
-/// kNobody.
-std::string unknown_signer(StoreContext& context, const std::string& recording_file) {
-    const RecordingSeal seal = recording_seal(recording_file);
-    if (seal.signature != RecordingSignature::kRight) return kNobody;
-    if (seal.station == context.station.public_key()) return {};
-    return trusted_stations(context).contains(seal.station) ? "" : fingerprint(seal.station);
-}
-
 int64_t insert_attempt(StoreContext& context, int64_t user_id, const AttemptResult& result,
-                       const HapticVerdict& haptics, const std::string& void_reason) {
+                       const HapticVerdict& haptics, const std::string& proctor,
+                       const std::string& void_reason) {
     Connection& connection = context.connection;
-    const std::string proctor =
-        result.exam.proctor.empty() ? std::string() : context.kept_name(result.exam.proctor);
     Statement insert(
         connection,
         "INSERT INTO attempts (account_id, task_id, task_version, started_utc, "
@@ -153,18 +115,19 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
     for (VoidReason& device : void_reasons(haptics.void_reason)) voids.push_back(std::move(device));
     for (VoidReason& doubt : void_reasons(result.not_verified)) voids.push_back(std::move(doubt));
     UnitOfWork work(connection_);
-    // A script that passes an exam passes it for nobody but an account that shows how it is done.
-    if (const UserRecord user = context_.need_user(user_id);
-        !result.exam.course_id.empty() && result.header.demonstration && !user.demonstration)
-        voids.push_back({VoidCause::kScript, 0, 0, result.header.device});
-    if (!checksum.empty() && needs_signature(result))
-        if (const std::string who = unknown_signer(context_, result.recording_file); !who.empty())
-            voids.push_back({VoidCause::kUnsigned, 0, 0, who});
-    if (const auto same =
-            checksum.empty() ? std::nullopt : same_recording(connection_, result, checksum))
-        voids.push_back({VoidCause::kSameRecording, 0, 0, std::to_string(*same)});
+    const UserRecord user = context_.need_user(user_id);
+    const std::optional<UserRecord> proctor =
+        result.exam.proctor.empty() ? std::nullopt : context_.find_staff(result.exam.proctor);
+    for (VoidReason& doubt : doubts_in_store(context_, user, proctor, result, checksum))
+        voids.push_back(std::move(doubt));
     const std::string void_reason = void_text(voids);
-    const int64_t id = insert_attempt(context_, user_id, result, haptics, void_reason);
+    // Under the account's number, which stays when the name is erased.
+    const std::string kept_proctor = proctor ? user_object(proctor->id)
+                                     : result.exam.proctor.empty()
+                                         ? std::string()
+                                         : context_.kept_name(result.exam.proctor);
+    const int64_t id =
+        insert_attempt(context_, user_id, result, haptics, kept_proctor, void_reason);
     context_.made("attempt", id);
     insert_lists(connection_, id, result);
     if (!result.recording_file.empty())

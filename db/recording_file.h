@@ -12,8 +12,10 @@
 namespace placode::db {
 
 /// Sink for one attempt, used by the recorder thread. Throws StoreError when the file exists or
-/// cannot be written.
-[[nodiscard]] std::unique_ptr<sim::RecordingSink> create_recording_file(const std::string& path);
+/// cannot be written. @param order order_checksum() of what the attempt was begun for
+/// (db/recording_order.h), which is written before the first frame; empty = nothing.
+[[nodiscard]] std::unique_ptr<sim::RecordingSink> create_recording_file(
+    const std::string& path, const std::string& order = {});
 
 /// Reads a whole file. A file without an end (crash) comes back with EndReason::kInterrupted and
 /// the duration of what was committed. Throws StoreError: kNotFound, kDamaged naming the chunk and

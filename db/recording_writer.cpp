@@ -17,6 +17,7 @@
 #include "db/raw_sqlite.h"
 #include "db/recording_chunks.h"
 #include "db/recording_file.h"
+#include "db/recording_order.h"
 #include "db/recording_seal.h"
 #include "db/sqlite_file.h"
 
@@ -57,7 +58,7 @@ std::string writer_name(int64_t pid) {
 
 class FileSink final : public sim::RecordingSink {
  public:
-    explicit FileSink(const std::string& path) : path_(path) {
+    FileSink(const std::string& path, const std::string& order) : path_(path) {
         const int file = ::open(path.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0600);
         if (file < 0)
             throw StoreError(
@@ -67,7 +68,7 @@ class FileSink final : public sim::RecordingSink {
                                      : "; choose another place"));
         ::close(file);
         try {
-            open();
+            open(order);
         } catch (...) {
             // What was never made keeps its name free.
             database_.reset();
@@ -114,7 +115,7 @@ class FileSink final : public sim::RecordingSink {
     }
 
  private:
-    void open() {
+    void open(const std::string& order) {
         sqlite3* database = nullptr;
         const int code = sqlite3_open_v2(path_.c_str(), &database,
                                          SQLITE_OPEN_READWRITE | SQLITE_OPEN_FULLMUTEX, nullptr);
@@ -133,6 +134,7 @@ class FileSink final : public sim::RecordingSink {
         execute(kMetaTable);
         execute(kChunksTable);
         put_meta("writer", writer_name(::getpid()));
+        if (!order.empty()) put_meta(kOrderKey, order);
         execute("COMMIT");
     }
 
@@ -205,8 +207,9 @@ bool has_living_writer(const std::string& path) {
 
 }  // namespace
 
-std::unique_ptr<sim::RecordingSink> create_recording_file(const std::string& path) {
-    return std::make_unique<FileSink>(path);
+std::unique_ptr<sim::RecordingSink> create_recording_file(const std::string& path,
+                                                          const std::string& order) {
+    return std::make_unique<FileSink>(path, order);
 }
 
 std::vector<std::string> leftover_recordings(const std::string& folder) {

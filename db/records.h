@@ -38,7 +38,7 @@ struct ExamContext {
     std::string course_id;
     int course_version = 0;
     std::string stage_id;
-    std::string proctor;             ///< Name of who was present.
+    std::string proctor;             ///< Log-in or name of who was present.
     std::string device_certificate;  ///< Of the haptic device; empty = none.
 
     friend bool operator==(const ExamContext&, const ExamContext&) = default;
@@ -177,6 +177,10 @@ struct AttemptResult {
     /// Why it proves nothing, as void_text() of db/void_reason.h; empty = its task is the published
     /// one and its recording is sound (db/evidence.h).
     std::string not_verified;
+    /// Text of the order that lay beside the recording, "" where none did. It must be the one that
+    /// the recording was begun with (db/recording_order.h). nullopt: who saves it answers for whose
+    /// it is, as an import does.
+    std::optional<std::string> order;
 };
 
 /// A further score of an attempt; the first one is in its AttemptDetail.

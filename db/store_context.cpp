@@ -60,6 +60,24 @@ UserRecord StoreContext::need_user(int64_t id) {
     return read_user(query);
 }
 
+std::optional<UserRecord> StoreContext::find_staff(const std::string& login_or_name) {
+    Statement query(connection,
+                    user_columns() +
+                        "WHERE a.active = 1 AND (p.login_key = ? OR p.display_name = ?) ORDER BY "
+                        "CASE WHEN p.login_key = ? THEN 0 ELSE 1 END, p.login_key");
+    const std::string key = login_key(login_or_name);
+    query.run(key, login_or_name, key);
+    std::optional<UserRecord> found;
+    // To its end: PostgreSQL gives one answer at a time.
+    while (query.next()) {
+        UserRecord user = read_user(query);
+        if (!found &&
+            (has_role(user.roles, Role::kEducator) || has_role(user.roles, Role::kAdministrator)))
+            found = std::move(user);
+    }
+    return found;
+}
+
 void StoreContext::need_group(int64_t id) {
     Statement query(connection, "SELECT id FROM training_groups WHERE id = ?");
     if (!query.run(id).next())

@@ -108,6 +108,9 @@ struct StoreContext {
     // --- looked up by several parts; need_...() throws kNotFound
     [[nodiscard]] UserRecord need_user(int64_t id);
     void need_group(int64_t id);
+    /// An active educator or administrator, by log-in or, where nobody has that log-in, by name:
+    /// who may be a proctor.
+    [[nodiscard]] std::optional<UserRecord> find_staff(const std::string& login_or_name);
     /// Whose attempt it is; account 0 where it is a study's. nullopt: it is not there.
     [[nodiscard]] std::optional<AttemptOwner> owner_of_attempt(int64_t id);
     /// version 0 = the newest.
@@ -144,7 +147,8 @@ struct StoreContext {
 /// Most attempts have none.
 inline void show_proctors(StoreContext& context, std::span<AttemptRecord> attempts) {
     for (AttemptRecord& each : attempts)
-        if (!each.exam.proctor.empty()) each.exam.proctor = context.shown_name(each.exam.proctor);
+        if (!each.exam.proctor.empty())
+            each.exam.proctor = context.shown_display_name(each.exam.proctor);
 }
 
 /// SELECT ... FROM accounts a JOIN persons p ..., for read_user().

@@ -47,7 +47,7 @@ class Studies {
                   const std::string& reason);
 
  private:
-    int64_t insert_step(const StepRecord& step);
+    int64_t insert_step(StepRecord step);
     void erase_participant(const std::string& study_id, const std::string& code);
 
     StoreContext& context_;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps of a protocol, as they are done.
 
+#include <algorithm>
 #include <array>
 
 #include "db/store_context.h"
 #include "db/studies.h"
+#include "db/void_reason.h"
 
 namespace placode::db {
 namespace {
@@ -14,11 +16,46 @@ using Kind = StoreError::Kind;
 
 constexpr std::array<const char*, 3> kStates{"started", "done", "skipped"};
 
+/// Makes a person's attempt the participant's, whoever was signed in. From then on it counts as
+/// every attempt of a study: once it was simulated again, and without a recording not at all.
+/// @return false where there is no recording.
+bool adopt(Connection& connection, const StepRecord& step) {
+    Statement query(connection,
+                    "SELECT void_reason, replay, end_reason FROM attempts WHERE id = ? AND study = "
+                    "''");
+    if (!query.run(step.attempt_id).next()) return true;
+    std::vector<VoidReason> voids = void_reasons(query.text("void_reason"));
+    auto replay = static_cast<ReplayState>(query.integer("replay"));
+    const auto end = static_cast<sim::EndReason>(query.integer("end_reason"));
+    (void)query.next();  // its end, before the next question
+    Statement recording(connection, "SELECT 1 FROM recordings WHERE attempt_id = ?");
+    const bool recorded = recording.run(step.attempt_id).next();
+    const VoidReason none{VoidCause::kNoRecording, 0, 0, {}};
+    if (!recorded && std::find(voids.begin(), voids.end(), none) == voids.end())
+        voids.push_back(none);
+    if (voids.empty() && replay == ReplayState::kNotReplayed && end != sim::EndReason::kInterrupted)
+        replay = ReplayState::kWaiting;
+    Statement(connection,
+              "UPDATE attempts SET study = ?, participant = ?, void_reason = ?, replay = ? WHERE "
+              "id = ?")
+        .run(step.study_id, step.participant, void_text(voids), static_cast<int>(replay),
+             step.attempt_id);
+    return recorded;
+}
+
 }  // namespace
 
-int64_t Studies::insert_step(const StepRecord& step) {
+int64_t Studies::insert_step(StepRecord step) {
     context_.touch("participant", {step.study_id, step.participant});
-    if (step.attempt_id != 0) context_.touch("attempt", step.attempt_id);
+    if (step.attempt_id != 0) {
+        context_.touch("attempt", step.attempt_id);
+        if (!adopt(connection_, step) && step.state == StepState::kDone) {
+            NotDone why;
+            why.voids.push_back({VoidCause::kNoRecording, 0, 0, {}});
+            step.state = StepState::kStarted;
+            step.detail = not_done_text(why);
+        }
+    }
     Statement insert(connection_,
                      "INSERT INTO study_steps (study_id, code, visit, step, state, attempt_id, "
                      "answer_id, detail, at_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
@@ -26,11 +63,9 @@ int64_t Studies::insert_step(const StepRecord& step) {
                kStates[static_cast<size_t>(step.state)], step.attempt_id, step.answer_id,
                step.detail, step.at_utc.empty() ? utc_now() : step.at_utc);
     const int64_t id = insert.returned_id();
-    // Whoever was signed in: it is the participant's from now on.
-    if (step.attempt_id != 0)
-        Statement(connection_,
-                  "UPDATE attempts SET study = ?, participant = ? WHERE id = ? AND study = ''")
-            .run(step.study_id, step.participant, step.attempt_id);
+    context_.append_audit("study.step", step.study_id + " " + step.participant,
+                          step.step + " " + kStates[static_cast<size_t>(step.state)] +
+                              (step.detail.empty() ? "" : ": " + step.detail));
     return id;
 }
 
@@ -49,9 +84,6 @@ int64_t Studies::record_step(const StepRecord& step) {
                                                  study + "\"");
     }
     const int64_t id = insert_step(step);
-    context_.append_audit("study.step", step.study_id + " " + step.participant,
-                          step.step + " " + kStates[static_cast<size_t>(step.state)] +
-                              (step.detail.empty() ? "" : ": " + step.detail));
     work.commit();
     return id;
 }

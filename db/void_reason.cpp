@@ -35,6 +35,15 @@ constexpr std::array kDoubts{
     Doubt{VoidCause::kScript, "Practice, not verified: operated by ", ""},
     Doubt{VoidCause::kUnsigned, "Practice, not verified: the recording is signed by ",
           ", not by a computer of this store"},
+    Doubt{VoidCause::kNoRecording, "Practice, not verified: nothing was recorded", ""},
+    Doubt{VoidCause::kOrderDiffers,
+          "Practice, not verified: it was begun for another person, exam or proctor", ""},
+    Doubt{VoidCause::kOrderMissing,
+          "Practice, not verified: nothing shows for whom and for which exam it was begun", ""},
+    Doubt{VoidCause::kProctor,
+          "Practice, not verified: the proctor is the person examined, or neither educator nor "
+          "administrator here",
+          ""},
 };
 constexpr Sentence kEarly{"ended after ", " s, before the least duration of ", " s"};
 
@@ -115,6 +124,10 @@ std::string text_of(const VoidReason& reason) {
         case VoidCause::kReplayDiffers:
         case VoidCause::kScript:
         case VoidCause::kUnsigned:
+        case VoidCause::kNoRecording:
+        case VoidCause::kOrderDiffers:
+        case VoidCause::kOrderMissing:
+        case VoidCause::kProctor:
             return doubt_text(reason);
     }
     return {};

@@ -24,7 +24,11 @@ enum class VoidCause : uint8_t {
     kSameRecording,  ///< Another attempt holds this recording; `text` has its number.
     kReplayDiffers,  ///< Simulated again it gave something else; `text` says where.
     kScript,         ///< An exam of a person that a script performed; `text` names it.
-    kUnsigned        ///< No computer of the centre signed the recording; `text` says which, or "".
+    kUnsigned,       ///< No computer of the centre signed the recording; `text` says which, or "".
+    kNoRecording,    ///< An exam or an attempt of a study of which nothing was recorded.
+    kOrderDiffers,   ///< Begun for another person, exam, proctor or step than is said now.
+    kOrderMissing,   ///< An exam or an attempt of a study that nothing binds to what it was for.
+    kProctor         ///< Who is named as proctor may not be it: no staff here, or the examinee.
 };
 
 inline constexpr const char* kNobody = "nobody";  ///< Of kUnsigned.

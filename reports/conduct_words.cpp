@@ -68,8 +68,8 @@ QString slow_words(const Speaker& say, Language language, const db::Deviation& d
 /// What is wrong is named as the program found it, in English, as for a technician.
 QString doubt_words(const db::VoidReason& reason) {
     const auto say = [&](const char* english) {
-        return QCoreApplication::translate("Deviation", english)
-            .arg(QString::fromStdString(reason.text));
+        const QString words = QCoreApplication::translate("Deviation", english);
+        return words.contains("%1") ? words.arg(QString::fromStdString(reason.text)) : words;
     };
     switch (reason.cause) {
         case db::VoidCause::kTaskUnknown:
@@ -88,6 +88,18 @@ QString doubt_words(const db::VoidReason& reason) {
                              "changed")
                        : say("Practice, not verified: the computer %1 recorded it, which no "
                              "administrator has vouched for");
+        case db::VoidCause::kNoRecording:
+            return say("Practice, not verified: nothing was recorded");
+        case db::VoidCause::kOrderDiffers:
+            return say("Practice, not verified: it was begun for another person, exam or proctor");
+        case db::VoidCause::kOrderMissing:
+            return say(
+                "Practice, not verified: nothing shows for whom and for which exam it was "
+                "begun");
+        case db::VoidCause::kProctor:
+            return say(
+                "Practice, not verified: the proctor is the person examined, or neither "
+                "educator nor administrator here");
         default:
             return say("Practice, not verified: operated by %1");
     }
@@ -119,6 +131,10 @@ QString void_reason_words(const db::VoidReason& reason) {
         case db::VoidCause::kReplayDiffers:
         case db::VoidCause::kScript:
         case db::VoidCause::kUnsigned:
+        case db::VoidCause::kNoRecording:
+        case db::VoidCause::kOrderDiffers:
+        case db::VoidCause::kOrderMissing:
+        case db::VoidCause::kProctor:
             return doubt_words(reason);
     }
     return {};

@@ -13,6 +13,7 @@
 #include "db/course_conduct.h"
 #include "db/norm_bands.h"
 #include "db/standards.h"
+#include "tests/recorded_attempt.h"
 #include "tests/store_fixture.h"
 
 using namespace placode;
@@ -53,7 +54,7 @@ class Counting : public EngineTest {
         result.metrics.values = {{"path_length_mm", 1}};
         result.events = std::move(events);
         result.exam = std::move(exam);
-        return store->attempts().save(user, result);
+        return save_recorded(*store, user, result, folder.path().string());
     }
 
     std::unique_ptr<db::Store> store;
@@ -138,9 +139,13 @@ TEST_P(Counting, PracticeExamAndMasteryLeaveItOut) {
     result.events = {machine(0.4F, 60)};
     store->attempts().save(user, result);
     EXPECT_EQ(standing().attempts, before) << "mastery does not see it";
+    store->accounts().create({"piotr", "Dr. P", "correct horse battery",
+                              static_cast<db::Roles>(db::Role::kEducator), false});
     const int64_t exam = save("2026-01-04T03:00:00.000Z", {machine(0.4F, 60)},
                               {"first_steps", 1, "exam", "Dr. P", ""});
-    EXPECT_THAT(store->attempts().detail(exam).record.void_reason, HasSubstr("40 % of real time"));
+    const db::AttemptRecord kept = store->attempts().detail(exam).record;
+    EXPECT_THAT(kept.void_reason, HasSubstr("40 % of real time"));
+    EXPECT_TRUE(db::machine_at_fault(kept)) << kept.void_reason;
     result.events = {machine(1, 60)};
     store->attempts().save(user, result);
     EXPECT_EQ(standing().attempts, before + 1);

@@ -56,6 +56,18 @@ TEST_F(ConductWords, EveryReasonOfASlowMachineIsSaidInTheProgramsLanguage) {
     EXPECT_EQ(void_words("40 drop-outs"), "40 drop-outs") << "figures for technicians stay";
 }
 
+TEST_F(ConductWords, EveryDoubtIsSaidInTheProgramsLanguage) {
+    for (int i = 0; i <= static_cast<int>(db::VoidCause::kProctor); ++i) {
+        const auto cause = static_cast<db::VoidCause>(i);
+        if (!db::is_doubt(cause)) continue;
+        const QString said = void_words(db::void_text({{cause, 0, 0, "this"}}));
+        EXPECT_TRUE(said.startsWith("~Practice, not verified: ")) << said.toStdString();
+        EXPECT_FALSE(said.contains("%1")) << said.toStdString();
+    }
+    EXPECT_EQ(void_words("Practice, not verified: nothing was recorded"),
+              "~Practice, not verified: nothing was recorded");
+}
+
 TEST_F(ConductWords, WhyAnAttemptDoesNotCountSaysWhatThePersonDidFirst) {
     db::AttemptRecord attempt;
     attempt.duration_s = 5;

@@ -8,6 +8,7 @@
 
 #include "db/access.h"
 #include "haptics/certificate.h"
+#include "tests/recorded_attempt.h"
 #include "tests/store_fixture.h"
 
 using namespace placode;
@@ -76,7 +77,7 @@ class CourseStore : public EngineTest {
         result.score.verdict = assessment::Verdict::kPassed;
         result.exam = exam;
         result.haptic_certificate = haptics;
-        store->attempts().save(user, result);
+        save_recorded(*store, user, result, folder.path().string());
     }
 
     std::unique_ptr<db::Store> store;

@@ -12,6 +12,7 @@
 #include "db/attempt_counting.h"
 #include "db/course_conduct.h"
 #include "db/recording_file.h"
+#include "db/recording_order.h"
 #include "tests/attempt_fixture.h"
 #include "tests/bars.h"
 #include "tests/forgeries.h"
@@ -62,6 +63,9 @@ class Evidence : public testing::Test {
         anna = add("anna", true);
         jan = add("jan", true);
         ewa = add("ewa", false);
+        for (const char* login : {"nina", "olga"})
+            store->accounts().create({login, std::string("Dr ") + login, "long enough 1",
+                                      static_cast<db::Roles>(db::Role::kEducator), false});
         db::DefinitionRecord course;
         course.kind = "course";
         course.id = "short";
@@ -82,16 +86,38 @@ class Evidence : public testing::Test {
                                          static_cast<db::Roles>(db::Role::kTrainee),
                                          demonstration});
     }
-    /// As the shell and the import do: judged, saved as the exam, simulated again.
-    int64_t take(int64_t user, const Recording& recording) {
-        const std::string path = folder.file("r" + std::to_string(++files) + ".placode");
-        const auto sink = db::create_recording_file(path);
+    /// @param begun text of the order that the attempt was begun with; empty = none.
+    std::string write(const Recording& recording, const std::string& begun = {}) {
+        std::string path = folder.file("r" + std::to_string(++files) + ".placode");
+        const auto sink = db::create_recording_file(
+            path, begun.empty() ? std::string() : db::order_checksum(begun));
         sink->begin(recording.header);
         sink->append(recording.inputs, recording.samples, recording.events);
         sink->finish(recording.end);
+        return path;
+    }
+    /// As the import does: judged, saved as the exam, simulated again.
+    int64_t take(int64_t user, const Recording& recording, const std::string& proctor = "nina") {
         db::AttemptResult result = db::judged(*store, recording);
-        result.recording_file = path;
-        result.exam = {"short", 1, "final", "Ewa", ""};
+        result.recording_file = write(recording);
+        result.exam = {"short", 1, "final", proctor, ""};
+        return keep(user, result);
+    }
+    [[nodiscard]] nlohmann::json order() const {
+        return {{"user_id", anna}, {"proctor", "nina"}, {"exam_stage", "final"}};
+    }
+    /// As the shell does: with the order that lies beside the recording. @param said text of it.
+    int64_t take_with_order(const Recording& recording, const std::string& begun,
+                            const std::string& said) {
+        db::AttemptResult result = db::judged(*store, recording);
+        result.recording_file = write(recording, begun);
+        const auto json = said.empty() ? order() : nlohmann::json::parse(said);
+        result.exam = {"short", 1, json["exam_stage"].get<std::string>(),
+                       json["proctor"].get<std::string>(), ""};
+        result.order = said;
+        return keep(json["user_id"].get<int64_t>(), result);
+    }
+    int64_t keep(int64_t user, const db::AttemptResult& result) {
         const int64_t id = store->attempts().save(user, result);
         if (store->attempts().detail(id).record.replay == db::ReplayState::kWaiting)
             (void)db::verify_attempt(*store, id);
@@ -123,12 +149,8 @@ TEST_F(Evidence, AnHonestExamCountsOnceItWasSimulatedAgain) {
 
 TEST_F(Evidence, UntilThenItDoesNot) {
     db::AttemptResult result = db::judged(*store, honest_attempt());
-    result.recording_file = folder.file("a.placode");
-    const auto sink = db::create_recording_file(result.recording_file);
-    sink->begin(honest_attempt().header);
-    sink->append(honest_attempt().inputs, honest_attempt().samples, honest_attempt().events);
-    sink->finish(honest_attempt().end);
-    result.exam = {"short", 1, "final", "Ewa", ""};
+    result.recording_file = write(honest_attempt());
+    result.exam = {"short", 1, "final", "nina", ""};
     const int64_t id = store->attempts().save(anna, result);
     EXPECT_EQ(record(id).replay, db::ReplayState::kWaiting);
     EXPECT_FALSE(db::counts(record(id)));
@@ -163,7 +185,74 @@ TEST_F(Evidence, NoForgeryCounts) {
                 bar.tried(good);
             }
         }
+        // Of an honest recording, whose order was changed before it was saved.
+        for (const OrderForgery& forgery : forgeries_of_the_order({jan, "olga", "other"})) {
+            SCOPED_TRACE(std::string(forgery.name) + " " + std::to_string(i));
+            Recording honest = honest_attempt();
+            honest.header.started_utc = "2026-02-01T00:00:0" + std::to_string(i % 10) + "Z";
+            nlohmann::json forged = order();
+            forgery.make(forged, random);
+            const db::AttemptRecord kept =
+                record(take_with_order(honest, order().dump(), forged.dump()));
+            const bool good = !db::counts(kept) && !mastered(anna) && !mastered(jan);
+            EXPECT_TRUE(good) << kept.void_reason;
+            EXPECT_THAT(kept.void_reason,
+                        HasSubstr("it was begun for another person, exam or proctor"));
+            bar.tried(good);
+        }
     }
+}
+
+TEST_F(Evidence, AnExamCountsWithTheOrderThatItWasBegunWithAndNotWithoutOne) {
+    const std::string begun = order().dump();
+    const auto cause_of = [&](int64_t id) {
+        const auto reasons = db::void_reasons(record(id).void_reason);
+        return reasons.empty() ? db::VoidCause::kDevice : reasons.front().cause;
+    };
+    EXPECT_EQ(cause_of(take_with_order(honest_attempt(), begun, "")), db::VoidCause::kOrderMissing);
+    Recording again = honest_attempt();
+    again.header.started_utc = "2026-02-01T00:00:01Z";
+    EXPECT_EQ(cause_of(take_with_order(again, "", begun)), db::VoidCause::kOrderMissing)
+        << "nothing in the recording binds it";
+    EXPECT_FALSE(mastered(anna));
+    again.header.started_utc = "2026-02-01T00:00:02Z";
+    const int64_t right = take_with_order(again, begun, begun);
+    EXPECT_TRUE(db::counts(record(right))) << record(right).void_reason;
+}
+
+TEST_F(Evidence, AProctorIsAnEducatorOrAdministratorWhoIsNotExamined) {
+    const int64_t teacher = store->accounts().create(
+        {"teacher", "Teacher", "long enough 1",
+         static_cast<db::Roles>(db::Role::kEducator) | static_cast<db::Roles>(db::Role::kTrainee),
+         true});
+    int second = 0;
+    const auto taken = [&](int64_t user, const std::string& proctor) {
+        Recording recording = honest_attempt();
+        recording.header.started_utc = "2026-02-01T00:01:0" + std::to_string(second++) + "Z";
+        return record(take(user, recording, proctor));
+    };
+    for (const char* nobody : {"Ewa", "jan", "Dr Nobody", "user 1", " "}) {
+        const db::AttemptRecord kept = taken(anna, nobody);
+        EXPECT_FALSE(db::counts(kept)) << nobody;
+        EXPECT_THAT(kept.void_reason, HasSubstr("the proctor is the person examined, or neither "
+                                                "educator nor administrator here"));
+    }
+    EXPECT_FALSE(db::counts(taken(teacher, "teacher"))) << "the own";
+    const db::AttemptRecord right = taken(teacher, "nina");
+    EXPECT_TRUE(db::counts(right)) << right.void_reason;
+    EXPECT_EQ(right.exam.proctor, "Dr nina") << "by name, kept by number";
+    EXPECT_TRUE(db::counts(taken(anna, "Dr nina"))) << "a name is as good as a log-in";
+}
+
+TEST_F(Evidence, WhatWasNotRecordedIsNoExam) {
+    db::AttemptResult result = db::judged(*store, honest_attempt());
+    result.exam = {"short", 1, "final", "nina", ""};
+    const int64_t id = store->attempts().save(anna, result);
+    EXPECT_EQ(record(id).void_reason, "Practice, not verified: nothing was recorded");
+    EXPECT_FALSE(db::counts(record(id)));
+    EXPECT_FALSE(mastered(anna));
+    result.exam = {};
+    EXPECT_TRUE(db::counts(record(store->attempts().save(anna, result)))) << "practice is";
 }
 
 TEST_F(Evidence, OneRecordingIsNotTheExamOfTwoPeople) {

@@ -15,6 +15,7 @@
 #include "reports/export.h"
 #include "reports/formats.h"
 #include "reports/report.h"
+#include "tests/recorded_attempt.h"
 #include "tests/store_fixture.h"
 
 namespace placode::test {
@@ -98,6 +99,7 @@ class Export : public testing::Test {
         step.step = "procedure_1";
         step.attempt_id = store->attempts().save(user, result);
         store->studies().record_step(step);
+        replay_as_identical(*store, step.attempt_id);
     }
     static void write_recording(const std::string& path) {
         const auto sink = db::create_recording_file(path);

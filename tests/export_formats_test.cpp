@@ -337,8 +337,10 @@ TEST_F(Export, AProcedureThatWasEndedTooEarlyIsFinishedInNoFormat) {
         step.step = "procedure_1";
         step.state = db::StepState::kStarted;
         step.detail = not_done;
-        step.attempt_id = store->attempts().save(store->accounts().find_login("anna")->id, early);
+        step.attempt_id = save_recorded(*store, store->accounts().find_login("anna")->id, early,
+                                        folder.path().string());
         store->studies().record_step(step);
+        replay_as_identical(*store, step.attempt_id);
     };
     const std::string why = "ended after 2 s, before the least duration of 60 s";
     save(assessment::Verdict::kPassed, why);

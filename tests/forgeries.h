@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Ways to forge an exam's recording: what it says of the task, and of what was done.
+// Ways to forge an exam: what its recording says of the task, and of what was done, and what the
+// order beside it says of whose it is.
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -178,6 +180,31 @@ inline const std::vector<Forgery>& forgeries_of_what_was_done() {
          }},
     };
     return all;
+}
+
+/// The order of an exam, as the shell writes it beside the recording.
+struct OrderForgery {
+    const char* name;
+    std::function<void(nlohmann::json&, sim::SplitMix64&)> make;
+};
+/// Another demonstration account than the one that operated, another educator than the one who was
+/// present, another exam with the same case.
+struct OtherOrder {
+    int64_t user = 0;
+    std::string proctor, stage;
+};
+inline std::vector<OrderForgery> forgeries_of_the_order(const OtherOrder& other) {
+    return {{"order of somebody else",
+             [=](nlohmann::json& order, sim::SplitMix64&) { order["user_id"] = other.user; }},
+            {"order with another proctor",
+             [=](nlohmann::json& order, sim::SplitMix64& random) {
+                 // Also the same one, written in another way.
+                 order["proctor"] = below(2, random) == 0
+                                        ? other.proctor
+                                        : order["proctor"].get<std::string>() + " ";
+             }},
+            {"order of another exam",
+             [=](nlohmann::json& order, sim::SplitMix64&) { order["exam_stage"] = other.stage; }}};
 }
 
 }  // namespace placode::test

@@ -6,6 +6,7 @@
 
 #include "curriculum/questionnaire.h"
 #include "db/study_conduct.h"
+#include "tests/recorded_attempt.h"
 #include "tests/store_cases.h"
 
 namespace placode::test {
@@ -35,7 +36,8 @@ struct FullStore {
         grant.reason = "power cut";
         store.courses().grant_attempts(grant);
         store.accounts().request_erasure(anna, "moves away");
-        fillStudy(store, store.attempts().save(bert, make_result("scissors_resection")));
+        fillStudy(store, save_recorded(store, bert, make_result("scissors_resection"),
+                                       folder.path().string()));
     }
 
  private:

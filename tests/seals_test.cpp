@@ -21,6 +21,7 @@
 #include "sim/core/random.h"
 #include "tests/bars.h"
 #include "tests/full_store.h"
+#include "tests/recorded_attempt.h"
 
 using namespace placode;
 using namespace placode::test;
@@ -408,8 +409,8 @@ TEST_P(SealsTest, AfterErasureNoNameIsLeftAnywhere) {
     db::AttemptResult exam = make_result("touch_targets");
     exam.exam.course_id = "fetoscopy";
     exam.exam.proctor = "bert";
-    const int64_t examined = store->attempts().save(anna, exam);
-    EXPECT_EQ(store->attempts().detail(examined).record.exam.proctor, "bert");
+    const int64_t examined = save_recorded(*store, anna, exam, folder.path().string());
+    EXPECT_EQ(store->attempts().detail(examined).record.exam.proctor, "Name of bert");
     store->records().unlock("pilot", store->studies().participants("pilot").at(0).code, "a slip");
     EXPECT_EQ(store->records().events("pilot").back().login, "bert");
     EXPECT_EQ(store->audit().trail(1).at(0).actor, "bert");

@@ -8,6 +8,7 @@
 
 #include "db/study_conduct.h"
 #include "db/study_records.h"
+#include "tests/recorded_attempt.h"
 #include "tests/store_fixture.h"
 
 using namespace placode;
@@ -66,7 +67,7 @@ class StudyDeviations : public EngineTest {
         result.events = std::move(events);
         result.study = {"pilot", code};
         auto record = step(name);
-        record.attempt_id = store->attempts().save(carl, result);
+        record.attempt_id = save_recorded(*store, carl, result, folder.path().string());
         db::record_attempt_step(*store, record);
         return record.attempt_id;
     }

@@ -24,6 +24,7 @@
 #include "reports/csv_table.h"
 #include "reports/export.h"
 #include "reports/study_analysis.h"
+#include "tests/recorded_attempt.h"
 #include "tests/store_fixture.h"
 
 using namespace placode;
@@ -113,8 +114,10 @@ class StudyReportTest : public testing::Test {
                 step.study_id = kStudy;
                 step.participant = codes[p];
                 step.step = "procedure_" + std::to_string(trial);
-                step.attempt_id = store->attempts().save(user, result);
+                // They become the participant's with the step, and are then simulated again.
+                step.attempt_id = test::save_recorded(*store, user, result, folder.path().string());
                 store->studies().record_step(step);
+                test::replay_as_identical(*store, step.attempt_id);
             }
         }
     }

@@ -9,6 +9,7 @@
 #include "db/store.h"
 #include "db/study_conduct.h"
 #include "db/study_records.h"
+#include "tests/recorded_attempt.h"
 #include "tests/store_fixture.h"
 
 using namespace placode;
@@ -80,7 +81,8 @@ class StudyStore : public EngineTest {
         result.events = std::move(events);
         result.study = {"pilot", code};
         auto run = step(code, "run");
-        run.attempt_id = store->attempts().save(store->accounts().find_login("carl")->id, result);
+        run.attempt_id = save_recorded(*store, store->accounts().find_login("carl")->id, result,
+                                       folder.path().string());
         db::record_attempt_step(*store, run);
         return run.attempt_id;
     }
@@ -178,7 +180,8 @@ TEST_P(StudyStore, WithdrawalStopsKeepsOrErasesAndTheTombstoneStays) {
     attempt.header.started_utc = "2026-01-02T03:04:05.000Z";
     attempt.metrics.values = {{"path_length_mm", 1}};
     auto run = step(codes[2], "run");
-    run.attempt_id = store->attempts().save(store->accounts().find_login("anna")->id, attempt);
+    run.attempt_id = save_recorded(*store, store->accounts().find_login("anna")->id, attempt,
+                                   folder.path().string());
     store->studies().record_step(run);
 
     EXPECT_EQ(failure_of([&] {
@@ -224,12 +227,16 @@ TEST_P(StudyStore, AnAttemptOfAStudyBelongsToTheCodeAndToNobodyElse) {
     const int64_t own = store->attempts().save(carl, attempt("2026-01-02T03:04:05.000Z"));
     auto of_study = attempt("2026-01-02T04:04:05.000Z");
     of_study.study = {"pilot", code};
-    const int64_t theirs = store->attempts().save(carl, of_study);
+    const std::string recordings = folder.path().string();
+    const int64_t theirs = save_recorded(*store, carl, of_study, recordings);
     // One that came in past the shell: the step that names it makes it the participant's.
-    const int64_t named = store->attempts().save(carl, attempt("2026-01-02T05:04:05.000Z"));
+    const int64_t named =
+        save_recorded(*store, carl, attempt("2026-01-02T05:04:05.000Z"), recordings);
     auto run = step(code, "run");
     run.attempt_id = named;
     store->studies().record_step(run);
+    EXPECT_EQ(store->attempts().detail(named).record.replay, db::ReplayState::kWaiting)
+        << "as every attempt of a study";
 
     const std::string other_code = store->studies().new_participant("pilot");
     store->studies().record_step(step(other_code, "consent"));
@@ -278,6 +285,31 @@ TEST_P(StudyStore, AnAttemptOfAStudyBelongsToTheCodeAndToNobodyElse) {
     store->studies().withdraw("pilot", code, WithdrawalMode::kErase, "asked for it");
     EXPECT_TRUE(store->attempts().list(0).empty());
     EXPECT_TRUE(store->check().empty());
+}
+
+TEST_P(StudyStore, AnAttemptWithoutARecordingDoesNoStep) {
+    store->definitions().publish(study(1));
+    const int64_t carl =
+        store->accounts().create({"carl", "Carl", "correct horse battery", 4, false});
+    const std::string code = store->studies().new_participant("pilot");
+    store->studies().record_step(step(code, "consent"));
+    auto of_study = attempt("2026-01-02T03:04:05.000Z");
+    of_study.study = {"pilot", code};
+    // Said at once, and when a step makes an attempt the participant's.
+    const int64_t said = store->attempts().save(carl, of_study);
+    const int64_t made = store->attempts().save(carl, attempt("2026-01-02T04:04:05.000Z"));
+    EXPECT_EQ(store->attempts().detail(made).record.void_reason, "") << "practice";
+    for (const int64_t id : {said, made}) {
+        auto run = step(code, "run");
+        run.attempt_id = id;
+        db::record_attempt_step(*store, run);
+        EXPECT_EQ(store->attempts().detail(id).record.void_reason,
+                  "Practice, not verified: nothing was recorded");
+        const auto kept = store->studies().steps("pilot").back();
+        EXPECT_EQ(kept.state, db::StepState::kStarted);
+        EXPECT_EQ(kept.detail, "void: Practice, not verified: nothing was recorded");
+    }
+    EXPECT_THAT(store->attempts().waiting_for_replay(), testing::IsEmpty());
 }
 
 TEST_P(StudyStore, AProcedureIsDoneAgainForAReasonAndBothAreKept) {

@@ -17,7 +17,13 @@ const std::vector<VoidReason> kAll{{VoidCause::kTuned, 0, 0, {}},
                                    {VoidCause::kFewPictures, 0, 20, {}},
                                    {VoidCause::kFewPictures, 1, 20, {}},
                                    {VoidCause::kFewPictures, 19, 20, {}},
-                                   {VoidCause::kNotRealTime, 94, 95, {}}};
+                                   {VoidCause::kNotRealTime, 94, 95, {}},
+                                   {VoidCause::kTaskUnknown, 0, 0, "it version 1"},
+                                   {VoidCause::kUnsigned, 0, 0, kNobody},
+                                   {VoidCause::kNoRecording, 0, 0, {}},
+                                   {VoidCause::kOrderDiffers, 0, 0, {}},
+                                   {VoidCause::kOrderMissing, 0, 0, {}},
+                                   {VoidCause::kProctor, 0, 0, {}}};
 
 TEST(VoidReason, EveryListIsReadAsItWasWritten) {
     EXPECT_EQ(void_text({}), "");

@@ -390,6 +390,8 @@ void ShellHintsTest::whatCannotBeReplayedHereSaysSo() {
     result.end.reason = sim::EndReason::kFinished;
     result.end.duration_s = 0.001;
     result.score.verdict = assessment::Verdict::kPassed;
+    shell_->owner().accounts().create(
+        {"eva", "Eva", "quiet river 8", static_cast<db::Roles>(db::Role::kEducator), false});
     result.exam = {"no_course", 1, "final", "Eva", ""};
     result.recording_file = shell_->path("another.placode").toStdString();
     const auto sink = db::create_recording_file(result.recording_file);

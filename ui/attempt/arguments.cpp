@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "db/recording_order.h"
 #include "ui/usage_message.h"
 #include "ui/version.h"
 #include "ui/view/picture_size.h"
@@ -76,6 +77,11 @@ void check(Arguments& arguments) {
     if (arguments.mode != curriculum::AttemptMode::kPractice && !arguments.preset.empty())
         throw UsageError(
             "--preset: an exam or a study is done on the task as it was published; leave it out");
+    if (!arguments.order.empty() && !db::is_order_checksum(arguments.order))
+        throw UsageError("--order: found \"" + arguments.order +
+                         "\", expected a checksum of 64 hexadecimal digits, as placode gives it");
+    if (!arguments.order.empty() && arguments.record.empty())
+        throw UsageError("--order: stands in a recording; give --record FILE.placode as well");
     if (arguments.list_devices || arguments.list_presets || arguments.limits_file ||
         arguments.station_file)
         return;
@@ -128,6 +134,9 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
         "script:expert|intermediate|novice|mouse, play:FILE");
     app.add_option("--record", arguments.record, "Write the recording here")
         ->type_name("FILE.placode");
+    app.add_option("--order", arguments.order,
+                   "Checksum of what the attempt is begun for, kept in the recording (placode)")
+        ->type_name("CHECKSUM");
     app.add_flag("--headless", arguments.headless, "No window, no display needed");
     app.add_flag("--fast", arguments.fast, "As fast as possible (with --headless)");
     app.add_option("--duration", arguments.duration_s, "Stop after this many seconds")

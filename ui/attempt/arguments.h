@@ -22,7 +22,8 @@ class UsageError : public std::runtime_error {
 
 struct Arguments {
     std::string task, device = "mouse", record, language = "en";
-    std::string play;  ///< Recording to replay, from `--device play:FILE`.
+    std::string order;  ///< db::order_checksum() of what it is begun for; empty = nothing.
+    std::string play;   ///< Recording to replay, from `--device play:FILE`.
     std::string screenshot_folder;
     double screenshot_every_s = 5;
     double duration_s = 0;  ///< 0 = the task's limit.

@@ -101,7 +101,8 @@ int run_attempt(const Arguments& arguments, StatusLine& status) {
     options.mode = arguments.mode;
     options.wait_for_motion = !arguments.headless;
     std::unique_ptr<sim::RecordingSink> sink;
-    if (!arguments.record.empty()) sink = db::create_recording_file(arguments.record);
+    if (!arguments.record.empty())
+        sink = db::create_recording_file(arguments.record, arguments.order);
     const bool has_ring = task.steps.empty();
     curriculum::AttemptRunner runner(std::move(task), arguments.seed, options, std::move(sink));
     if (arguments.headless) {

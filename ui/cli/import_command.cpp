@@ -44,7 +44,7 @@ struct ImportOptions {
 std::string proctor_of(Session& session, int64_t user_id, const ImportOptions& options) {
     if (options.proctor.empty()) return {};
     const db::UserRecord proctor = db::find_proctor(session.store(), options.proctor, user_id);
-    if (!session.user() || session.user()->id != user_id) return proctor.display_name;
+    if (!session.user() || session.user()->id != user_id) return proctor.login;
     const char* const password = std::getenv("PLACODE_PROCTOR_PASSWORD");
     const db::SignIn found = session.store().accounts().confirm(
         proctor.login, password == nullptr ? std::string() : std::string(password));
@@ -53,7 +53,7 @@ std::string proctor_of(Session& session, int64_t user_id, const ImportOptions& o
                          ": the proctor confirms with the own password, in "
                          "PLACODE_PROCTOR_PASSWORD; " +
                          (password == nullptr ? "it is missing" : "it is wrong"));
-    return proctor.display_name;
+    return proctor.login;
 }
 
 /// The exam that this recording is, checked against its task and seed.

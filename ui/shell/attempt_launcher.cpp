@@ -10,6 +10,7 @@
 #include <cassert>
 #include <csignal>
 
+#include "db/recording_order.h"
 #include "ui/shell/child_process.h"
 
 namespace placode::ui {
@@ -42,6 +43,9 @@ QStringList simulator_arguments(const AttemptOrder& order, const LaunchOptions& 
     const QString device = options.hands.isEmpty() ? order.device : options.hands;
     QStringList arguments{"--task",   order.task,           "--device", device,
                           "--record", order.recording_file, "--status"};
+    if (!order.text.isEmpty())
+        arguments << "--order"
+                  << QString::fromStdString(db::order_checksum(order.text.toStdString()));
     if (!order.controls.isEmpty()) arguments << "--controls" << order.controls;
     if (order.demonstration) arguments << "--demonstration";
     if (order.duration_s > 0) arguments << "--duration" << QString::number(order.duration_s);

@@ -9,18 +9,33 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRandomGenerator>
 #include <QSaveFile>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <array>
 
 #include "db/evidence.h"
 #include "db/recording_file.h"
+#include "db/recording_order.h"
 #include "db/study_conduct.h"
 
 namespace placode::ui {
 namespace {
 
 QString order_file(const QString& recording_file) { return recording_file + ".order.json"; }
+
+/// Without it the checksum in a recording that is passed on would tell who it is of: somebody could
+/// try out the names.
+QString fresh_nonce() {
+    std::array<quint32, 4> words{};
+    QRandomGenerator::system()->fillRange(words.data(), words.size());
+    return QByteArray(reinterpret_cast<const char*>(words.data()), sizeof words).toHex();
+}
+
+bool matters(const AttemptOrder& order) {
+    return order.mode() != curriculum::AttemptMode::kPractice;
+}
 
 /// An attempt of a study is a step of its participant.
 void record_study_step(db::Store& store, const AttemptOrder& order, int64_t attempt_id) {
@@ -81,10 +96,12 @@ void write_order(AttemptOrder& order, const QString& folder) {
         {"exam_course_version", order.exam.course_version},
         {"exam_stage", QString::fromStdString(order.exam.stage_id)},
         {"proctor", QString::fromStdString(order.exam.proctor)},
-        {"device_certificate", QString::fromStdString(order.exam.device_certificate)}};
+        {"device_certificate", QString::fromStdString(order.exam.device_certificate)},
+        {"nonce", fresh_nonce()}};
     QSaveFile file(order_file(order.recording_file));
-    const QByteArray text = QJsonDocument(json).toJson();
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
+    order.text = QJsonDocument(json).toJson();
+    if (!file.open(QIODevice::WriteOnly) || file.write(order.text) != order.text.size() ||
+        !file.commit()) {
         throw StoreError(StoreError::Kind::kUnavailable,
                          "write " + file.fileName().toStdString() + ": " +
                              file.errorString().toStdString() + "; free space and try again");
@@ -94,9 +111,10 @@ void write_order(AttemptOrder& order, const QString& folder) {
 std::optional<AttemptOrder> read_order(const QString& recording_file) {
     QFile file(order_file(recording_file));
     if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
-    const QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
-    if (!json.contains("user_id")) return std::nullopt;
     AttemptOrder order;
+    order.text = file.readAll();
+    const QJsonObject json = QJsonDocument::fromJson(order.text).object();
+    if (!json.contains("user_id")) return std::nullopt;
     order.user_id = json["user_id"].toInteger();
     order.user_name = json["user_name"].toString();
     order.task = json["task"].toString();
@@ -180,9 +198,11 @@ void remove_recording(const QString& recording_file) {
 
 SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
     const std::string file = order.recording_file.toStdString();
-    // Left over from a crash between saving and removing.
+    // Left over from a crash between saving and removing. An order that was changed does not make
+    // it another step of a study: it goes on, and is void.
     if (const std::optional<int64_t> known = store.attempts().find_recording(file);
-        known && is_of(store.attempts().owner_of(*known), order)) {
+        known && is_of(store.attempts().owner_of(*known), order) &&
+        !db::order_doubt(file, order.text.toStdString(), matters(order))) {
         record_study_step(store, order, *known);
         remove_recording(order.recording_file);
         return {Saving::kSaved, *known};
@@ -199,6 +219,7 @@ SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
         result.exam = order.exam;
     result.study = {order.study.toStdString(), order.participant.toStdString()};
     result.recording_file = file;
+    result.order = order.text.toStdString();
     db::publish_task_on_first_use(store, recording.header.task_id, recording.header.task_version);
     const int64_t id = store.attempts().save(order.user_id, result);
     record_study_step(store, order, id);

@@ -3,8 +3,9 @@
 #pragma once
 // Whose attempt it is, what was asked for, and how its recording reaches the store. The order lies
 // as a small JSON file beside the recording, so that an attempt left over from a crash still
-// knows its owner.
+// knows its owner. The recording holds the file's checksum, so that nobody changes it unseen.
 
+#include <QByteArray>
 #include <QString>
 #include <optional>
 #include <set>
@@ -33,6 +34,7 @@ struct AttemptOrder {
     double duration_s = 0;  ///< 0 = the task's limit.
     uint64_t seed = 0;      ///< Of anatomy and operator; 0 = the program's own.
     db::ExamContext exam;   ///< Of an exam stage; no course = practice.
+    QByteArray text;        ///< As it lies beside the recording; empty: no file does.
 
     [[nodiscard]] curriculum::AttemptMode mode() const {
         if (!study.isEmpty()) return curriculum::AttemptMode::kStudy;
@@ -56,7 +58,7 @@ struct Leftover {
 /// Folder for recordings of a store: beside an embedded one, else in the user's data folder.
 [[nodiscard]] QString recordings_folder(const std::string& store_url);
 
-/// Fills `recording_file` with a fresh name in `folder` and writes the order beside it.
+/// Fills `recording_file` with a fresh name in `folder`, and `text`, and writes it beside it.
 /// Throws db::StoreError(kUnavailable) when the folder cannot be written.
 void write_order(AttemptOrder& order, const QString& folder);
 

@@ -64,6 +64,15 @@ namespace {
     QT_TRANSLATE_NOOP("Deviation", "Practice, not verified: attempt %1 is the same recording"),
     QT_TRANSLATE_NOOP("Deviation", "Practice, not verified: simulated again it differs (%1)"),
     QT_TRANSLATE_NOOP("Deviation", "Practice, not verified: the signature is in doubt (%1)"),
+    QT_TRANSLATE_NOOP("Deviation", "Practice, not verified: nothing was recorded"),
+    QT_TRANSLATE_NOOP("Deviation",
+                      "Practice, not verified: it was begun for another person, exam or proctor"),
+    QT_TRANSLATE_NOOP("Deviation",
+                      "Practice, not verified: nothing shows for whom and for which exam it was "
+                      "begun"),
+    QT_TRANSLATE_NOOP("Deviation",
+                      "Practice, not verified: the proctor is the person examined, or neither "
+                      "educator nor administrator here"),
     QT_TRANSLATE_NOOP("Deviation", "practice, not verified"),
     QT_TRANSLATE_NOOP("Deviation", "it is still to be simulated again"),
     QT_TRANSLATE_NOOP("Deviation", "Attempts that do not count: %1 of %2 (%3)."),

@@ -84,7 +84,7 @@ QString TaskExam::confirmedProctor() {
         !db::has_role(found.user->roles, db::Role::kAdministrator))
         refuse(tr("%1 is neither educator nor administrator and cannot be the proctor.")
                    .arg(qstr(found.user->display_name)));
-    return qstr(found.user->display_name);
+    return qstr(found.user->login);
 }
 
 void TaskExam::refuseBesideLeftExam() const {

@@ -39,7 +39,7 @@ class TaskExam {
     void prepare(AttemptOrder& order, bool haptic);
 
  private:
-    /// Who is present confirms with the own password. Throws kRefused.
+    /// Log-in of who is present and confirms with the own password. Throws kRefused.
     [[nodiscard]] QString confirmedProctor();
     /// An exam that a crash left over is saved before the next one: it uses up an attempt.
     void refuseBesideLeftExam() const;

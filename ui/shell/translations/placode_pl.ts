@@ -9487,6 +9487,22 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Ćwiczenie, niezweryfikowane: operował %1</translation>
     </message>
     <message>
+        <source>Practice, not verified: nothing was recorded</source>
+        <translation>Ćwiczenie, niezweryfikowane: niczego nie nagrano</translation>
+    </message>
+    <message>
+        <source>Practice, not verified: it was begun for another person, exam or proctor</source>
+        <translation>Ćwiczenie, niezweryfikowane: próbę rozpoczęto dla innej osoby, innego egzaminu lub innej osoby nadzorującej</translation>
+    </message>
+    <message>
+        <source>Practice, not verified: nothing shows for whom and for which exam it was begun</source>
+        <translation>Ćwiczenie, niezweryfikowane: nie wiadomo, dla kogo i dla jakiego egzaminu próbę rozpoczęto</translation>
+    </message>
+    <message>
+        <source>Practice, not verified: the proctor is the person examined, or neither educator nor administrator here</source>
+        <translation>Ćwiczenie, niezweryfikowane: osoba nadzorująca jest osobą egzaminowaną albo nie jest tu instruktorem ani administratorem</translation>
+    </message>
+    <message>
         <source>practice, not verified</source>
         <translation>ćwiczenie, niezweryfikowane</translation>
     </message>

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/attempt_doubts.h"
+
+#include "db/audit_check.h"
+#include "db/recording_order.h"
+#include "db/recording_seal.h"
+
+namespace placode::db {
+namespace {
+
+/// Another attempt with the same bytes, or with the same end of the same case: no two people move
+/// alike to the last bit. Scripts do, and say that they are scripts.
+std::optional<int64_t> same_recording(Connection& connection, const AttemptResult& result,
+                                      const std::string& checksum) {
+    Statement bytes(connection,
+                    "SELECT attempt_id FROM recordings WHERE checksum = ? ORDER BY attempt_id");
+    bytes.run(checksum);
+    if (bytes.next()) return bytes.integer(0);
+    if (result.header.demonstration || result.end.final_hash == 0) return std::nullopt;
+    Statement end(connection,
+                  "SELECT id FROM attempts WHERE final_hash = ? AND task_id = ? AND seed = ? "
+                  "AND demonstration = 0 ORDER BY id");
+    end.run(std::to_string(result.end.final_hash), result.header.task_id,
+            std::to_string(result.header.seed));
+    if (end.next()) return end.integer(0);
+    return std::nullopt;
+}
+
+/// What may count for a person, a study or a norm. A demonstration does not pretend to.
+bool needs_signature(const AttemptResult& result) {
+    if (result.end.reason == sim::EndReason::kInterrupted)
+        return false;  // broke off before its end
+    return !result.header.demonstration || matters(result);
+}
+
+/// "" when a computer of this store signed the recording; else the fingerprint of who did, or
+/// kNobody.
+std::string unknown_signer(StoreContext& context, const std::string& recording_file) {
+    const RecordingSeal seal = recording_seal(recording_file);
+    if (seal.signature != RecordingSignature::kRight) return kNobody;
+    if (seal.station == context.station.public_key()) return {};
+    return trusted_stations(context).contains(seal.station) ? "" : fingerprint(seal.station);
+}
+
+/// The recording says itself that it was made as an exam or for a study, whatever is said later.
+bool was_to_matter(const AttemptResult& result) {
+    return matters(result) || result.header.mode != "practice";
+}
+
+}  // namespace
+
+bool matters(const AttemptResult& result) noexcept {
+    return !result.exam.course_id.empty() || !result.study.study.empty();
+}
+
+std::vector<VoidReason> doubts_in_store(StoreContext& context, const UserRecord& user,
+                                        const std::optional<UserRecord>& proctor,
+                                        const AttemptResult& result, const std::string& checksum) {
+    std::vector<VoidReason> doubts;
+    // A script that passes an exam passes it for nobody but an account that shows how it is done.
+    if (!result.exam.course_id.empty() && result.header.demonstration && !user.demonstration)
+        doubts.push_back({VoidCause::kScript, 0, 0, result.header.device});
+    if (!result.exam.proctor.empty() && (!proctor || proctor->id == user.id))
+        doubts.push_back({VoidCause::kProctor, 0, 0, {}});
+    if (checksum.empty()) {
+        // Nothing that could be simulated again.
+        if (matters(result)) doubts.push_back({VoidCause::kNoRecording, 0, 0, {}});
+        return doubts;
+    }
+    if (result.order)
+        if (const auto cause =
+                order_doubt(result.recording_file, *result.order, was_to_matter(result)))
+            doubts.push_back({*cause, 0, 0, {}});
+    if (needs_signature(result))
+        if (const std::string who = unknown_signer(context, result.recording_file); !who.empty())
+            doubts.push_back({VoidCause::kUnsigned, 0, 0, who});
+    if (const auto same = same_recording(context.connection, result, checksum))
+        doubts.push_back({VoidCause::kSameRecording, 0, 0, std::to_string(*same)});
+    return doubts;
+}
+
+}  // namespace placode::db

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Why an attempt that is being saved proves nothing, as far as the store can tell: who signed its
+// recording, whether it is known already, what it was begun for, who was proctor.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/store_context.h"
+#include "db/void_reason.h"
+
+namespace placode::db {
+
+/// An exam, or an attempt of a study: it counts only with a recording that was simulated again.
+[[nodiscard]] bool matters(const AttemptResult& result) noexcept;
+
+/// Within the transaction that saves it. Throws StoreError.
+/// @param proctor the account that `result.exam.proctor` names, where it may be one.
+/// @param checksum of the recording file; empty without one.
+[[nodiscard]] std::vector<VoidReason> doubts_in_store(StoreContext& context, const UserRecord& user,
+                                                      const std::optional<UserRecord>& proctor,
+                                                      const AttemptResult& result,
+                                                      const std::string& checksum);
+
+}  // namespace placode::db
