@@ -41,6 +41,9 @@ class Attempts {
     [[nodiscard]] std::optional<int64_t> find_recording(const std::string& recording_file);
     /// Exams and attempts of studies that are still to be simulated again, oldest first.
     [[nodiscard]] std::vector<int64_t> waiting_for_replay();
+    /// Practice that may still be simulated again, oldest first: recorded to its end, not void, and
+    /// nobody has done so. It counts meanwhile, unlike what waits.
+    [[nodiscard]] std::vector<int64_t> never_replayed();
     /// What simulating again gave. One that differs is void from then on; `note` says where. Only a
     /// program says so, never an account.
     void set_replay(int64_t attempt_id, ReplayState state, const std::string& note);

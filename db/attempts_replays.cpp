@@ -19,6 +19,20 @@ std::vector<int64_t> Attempts::waiting_for_replay() {
     return found;
 }
 
+std::vector<int64_t> Attempts::never_replayed() {
+    connection_.begin_operation("list what was never replayed in");
+    context_.need(Action::kUseStore);
+    Statement query(connection_,
+                    "SELECT a.id FROM attempts a JOIN recordings r ON r.attempt_id = a.id WHERE "
+                    "a.replay = ? AND a.void_reason = '' AND a.end_reason <> ? ORDER BY "
+                    "a.started_utc, a.id");
+    query.run(static_cast<int>(ReplayState::kNotReplayed),
+              static_cast<int>(sim::EndReason::kInterrupted));
+    std::vector<int64_t> found;
+    while (query.next()) found.push_back(query.integer(0));
+    return found;
+}
+
 void Attempts::set_replay(int64_t attempt_id, ReplayState state, const std::string& note) {
     connection_.begin_operation("keep the replay of attempt " + std::to_string(attempt_id) + " in");
     context_.need(Action::kReplay);

@@ -255,6 +255,33 @@ TEST_F(Evidence, WhatWasNotRecordedIsNoExam) {
     EXPECT_TRUE(db::counts(record(store->attempts().save(anna, result)))) << "practice is";
 }
 
+TEST_F(Evidence, PracticeCountsAndMayBeSimulatedAgainAtNight) {
+    const auto practised = [&](const Recording& recording, bool recorded) {
+        db::AttemptResult result = db::judged(*store, recording);
+        if (recorded) result.recording_file = write(recording);
+        return store->attempts().save(anna, result);
+    };
+    Recording broken = honest_attempt();
+    broken.end.reason = sim::EndReason::kInterrupted;
+    const int64_t honest = practised(honest_attempt(), true);
+    (void)practised(honest_attempt(), false);
+    (void)practised(broken, true);
+    (void)take(jan, honest_attempt());
+    Recording forged = honest_attempt();
+    forged.header.started_utc = "2026-02-02T00:00:00Z";
+    for (auto& sample : forged.samples) sample.tools[0].tip_m = forged.samples[0].tools[0].tip_m;
+    const int64_t steady = practised(forged, true);
+    EXPECT_TRUE(store->attempts().waiting_for_replay().empty()) << "nobody has to wait";
+    EXPECT_TRUE(db::counts(record(honest)) && db::counts(record(steady)));
+    EXPECT_THAT(store->attempts().never_replayed(), testing::ElementsAre(honest, steady));
+    for (const int64_t id : store->attempts().never_replayed())
+        (void)db::verify_attempt(*store, id);
+    EXPECT_THAT(store->attempts().never_replayed(), testing::IsEmpty());
+    EXPECT_EQ(record(honest).replay, db::ReplayState::kIdentical);
+    EXPECT_TRUE(db::counts(record(honest)));
+    EXPECT_FALSE(db::counts(record(steady))) << "what was found out counts no more";
+}
+
 TEST_F(Evidence, OneRecordingIsNotTheExamOfTwoPeople) {
     const int64_t first = take(anna, honest_attempt());
     EXPECT_TRUE(db::counts(record(first)));

@@ -7,6 +7,8 @@
 namespace placode::cli {
 
 /// db::verify_attempt with its progress on a terminal; Ctrl+C stops it, and the attempt waits on.
-std::optional<curriculum::ReplayVerdict> verify(Session& session, int64_t attempt_id);
+/// @param place " (3 of 20)", or nothing.
+std::optional<curriculum::ReplayVerdict> verify(Session& session, int64_t attempt_id,
+                                                const std::string& place = {});
 
 }  // namespace placode::cli

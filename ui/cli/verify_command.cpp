@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl verify: simulates exams and attempts of studies again; they count once the same came
-// out. The shell does it by itself; this is for what was imported, and for the night.
+// out. The shell does it by itself; this is for what was imported, and, with practice, for the
+// night. Killed half-way it goes on with the rest the next time.
 
 #include <memory>
 
@@ -15,25 +16,46 @@ namespace {
 
 struct VerifyOptions {
     int64_t attempt = 0;  ///< 0 = all that wait.
+    bool all = false;     ///< Practice, too, that was never simulated again.
 };
 
-int verify_command(const Context& context, const VerifyOptions& options) {
-    Session session(context, Missing::kRefuse);
-    std::vector<int64_t> ids{options.attempt};
-    if (options.attempt == 0) {
-        session.need(db::Action::kViewAttempts, db::Scope::kOther);
-        ids = session.store().attempts().waiting_for_replay();
-    } else {
+struct ToVerify {
+    int64_t id = 0;
+    db::ReplayState state = db::ReplayState::kWaiting;  ///< Until it was simulated again.
+};
+
+std::vector<ToVerify> asked_for(Session& session, const VerifyOptions& options) {
+    db::Attempts& attempts = session.store().attempts();
+    if (options.attempt != 0) {
         session.need_for(db::Action::kViewAttempts,
-                         session.store().attempts().detail(options.attempt).record.user_id);
+                         attempts.detail(options.attempt).record.user_id);
+        return {{options.attempt}};
     }
-    Json json{{"attempts", Json::array()}};
+    session.need(db::Action::kViewAttempts, db::Scope::kOther);
+    std::vector<ToVerify> found;
+    // Exams and studies first: they count for nothing until then.
+    for (const int64_t id : attempts.waiting_for_replay()) found.push_back({id});
+    if (options.all)
+        for (const int64_t id : attempts.never_replayed())
+            found.push_back({id, db::ReplayState::kNotReplayed});
+    return found;
+}
+
+struct Verified {
+    Json attempts = Json::array();
     std::vector<std::vector<std::string>> rows{{"attempt", "simulated again", "difference"}};
-    int differ = 0, left = 0;
-    for (const int64_t id : ids) {
-        if (CancelOn::requested()) break;
-        const auto verdict = verify(session, id);
-        const char* const state = db::replay_name(!verdict             ? db::ReplayState::kWaiting
+    int identical = 0, differ = 0, left = 0;
+};
+
+/// @param brief the table leaves out what is as it should be.
+Verified verify_all(Session& session, const std::vector<ToVerify>& all, bool brief) {
+    Verified done;
+    for (size_t i = 0; i < all.size() && !CancelOn::requested(); ++i) {
+        const std::string place = all.size() == 1 ? ""
+                                                  : " (" + std::to_string(i + 1) + " of " +
+                                                        std::to_string(all.size()) + ")";
+        const auto verdict = verify(session, all[i].id, place);
+        const char* const state = db::replay_name(!verdict             ? all[i].state
                                                   : verdict->identical ? db::ReplayState::kIdentical
                                                                        : db::ReplayState::kDiffers);
         const std::string difference =
@@ -41,29 +63,43 @@ int verify_command(const Context& context, const VerifyOptions& options) {
             : CancelOn::requested()
                 ? "stopped"
                 : "recorded by another build or processor, or of a task that is unknown here";
-        differ += verdict && !verdict->identical ? 1 : 0;
-        left += verdict ? 0 : 1;
-        json["attempts"].push_back(
-            {{"attempt", id}, {"replay", state}, {"difference", difference}});
-        rows.push_back({std::to_string(id), state, difference});
+        done.identical += verdict && verdict->identical ? 1 : 0;
+        done.differ += verdict && !verdict->identical ? 1 : 0;
+        done.left += verdict ? 0 : 1;
+        done.attempts.push_back(
+            {{"attempt", all[i].id}, {"replay", state}, {"difference", difference}});
+        if (!brief || !verdict || !verdict->identical)
+            done.rows.push_back({std::to_string(all[i].id), state, difference});
     }
-    json["differ"] = differ;
-    json["waiting"] = left;
-    json["cancelled"] = CancelOn::requested();
+    return done;
+}
+
+int verify_command(const Context& context, const VerifyOptions& options) {
+    Session session(context, Missing::kRefuse);
+    const Verified done = verify_all(session, asked_for(session, options), options.all);
+    const Json json{{"attempts", done.attempts},
+                    {"differ", done.differ},
+                    {"waiting", done.left},
+                    {"cancelled", CancelOn::requested()}};
+    const std::string summary =
+        (options.all ? sim::counted(done.identical, "attempt") + " gave the same, " : "") +
+        sim::counted(done.differ, "attempt") + " differ, " + std::to_string(done.left) +
+        (options.all ? " could not be simulated again" : " still wait");
     print(context, json,
-          rows.size() == 1 ? std::string("no attempt waits for being simulated again")
-                           : table(rows) + sim::counted(differ, "attempt") + " differ, " +
-                                 std::to_string(left) + " still wait");
+          done.attempts.empty()   ? std::string("no attempt waits for being simulated again")
+          : done.rows.size() == 1 ? summary
+                                  : table(done.rows) + summary);
     return CancelOn::requested() ? 1 : 0;
 }
 
 }  // namespace
 
-std::optional<curriculum::ReplayVerdict> verify(Session& session, int64_t attempt_id) {
-    const CancelOn cancel{SIGINT};
+std::optional<curriculum::ReplayVerdict> verify(Session& session, int64_t attempt_id,
+                                                const std::string& place) {
+    const CancelOn cancel{SIGINT, SIGTERM};
     const auto verdict = db::verify_attempt(session.program_store(), attempt_id, [&](double share) {
-        show_progress("simulating attempt " + std::to_string(attempt_id) +
-                      " again: " + std::to_string(static_cast<int>(100 * share)) + " %");
+        show_progress("simulating attempt " + std::to_string(attempt_id) + " again" + place + ": " +
+                      std::to_string(static_cast<int>(100 * share)) + " %");
         return !CancelOn::requested();
     });
     clear_progress();
@@ -74,7 +110,12 @@ void add_verify_command(CLI::App& app, Context& context) {
     auto options = std::make_shared<VerifyOptions>();
     CLI::App* command = app.add_subcommand(
         "verify", "Simulates exams and attempts of studies again; they count once it is the same");
-    command->add_option("ATTEMPT", options->attempt, "Number (default: all that wait)");
+    auto* attempt =
+        command->add_option("ATTEMPT", options->attempt, "Number (default: all that wait)");
+    command
+        ->add_flag("--all", options->all,
+                   "Practice as well that was never simulated again; for the night")
+        ->excludes(attempt);
     command->callback([&context, options] {
         context.run = [&context, options] { return verify_command(context, *options); };
     });
