@@ -83,15 +83,20 @@ std::string restore_store(const std::string& url, const std::string& backup_path
         throw StoreError(Kind::kNotFound, operation + ": there is no such backup");
     // 1. The backup is proved on a copy, which becomes the new store: it stays as it is itself.
     const std::string fresh = target.path + kRestoringSuffix;
-    const auto forget_half_made = [&fresh] {
+    const Station of_fresh(parse_store_url("sqlite:" + fresh));
+    const auto forget_half_made = [&] {
         forget_sqlite_file(fresh);
-        // How far the trail of a copy went that was killed: the next one begins behind it.
-        Station(parse_store_url("sqlite:" + fresh)).forget();
+        try {
+            of_fresh.forget();
+        } catch (const StoreError&) {
+            // The next restore says it.
+        }
     };
     std::string aside;
     try {
-        forget_half_made();
-        remove_sqlite_file(fresh);              // Says why a part of it cannot be removed.
+        remove_sqlite_file(fresh);
+        // How far the trail of a copy went that was killed: this one begins behind it.
+        of_fresh.forget();
         prepare_sqlite_file(fresh, operation);  // Folder, and file with mode 0600.
         fs::copy_file(backup_path, fresh, fs::copy_options::overwrite_existing);
         fs::permissions(fresh, fs::perms::owner_read | fs::perms::owner_write);
@@ -100,7 +105,7 @@ std::string restore_store(const std::string& url, const std::string& backup_path
         // The backup's trail ends earlier, and that is right. Before the exchange: a kill in
         // between leaves a computer that remembers nothing, never one that suspects.
         Station(target).forget();
-        Station(parse_store_url("sqlite:" + fresh)).forget();
+        of_fresh.forget();
         // 2. It takes the place of the old store, which is kept.
         if (fs::exists(target.path)) {
             const HeldStore held(target, operation);

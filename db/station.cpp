@@ -139,9 +139,16 @@ void Station::remember(const Head& head) const noexcept {
     }
 }
 
-void Station::forget() const noexcept {
-    std::error_code ignored;
-    for (const std::string& path : head_paths_) fs::remove(path, ignored);
+void Station::forget() const {
+    for (const std::string& path : head_paths_) {
+        std::error_code error;
+        fs::remove(path, error);
+        if (error)
+            throw StoreError(StoreError::Kind::kUnavailable,
+                             path + " cannot be removed (" + error.message() +
+                                 "): how far the trail of the store before went; check folder and "
+                                 "disk and try again");
+    }
 }
 
 }  // namespace placode::db

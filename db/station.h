@@ -38,8 +38,9 @@ class Station {
     [[nodiscard]] std::vector<Head> heads() const;
     /// Does nothing where nothing can be written: the trail itself is in the store.
     void remember(const Head& head) const noexcept;
-    /// Another store is at the address from now on, on purpose.
-    void forget() const noexcept;
+    /// Another store is at the address from now on, on purpose. Throws StoreError(kUnavailable)
+    /// when the note of the one before stays: check() would say that the trail was cut off.
+    void forget() const;
 
  private:
     [[nodiscard]] bool read_key();

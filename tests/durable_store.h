@@ -32,7 +32,7 @@ class DurableFile : public testing::Test {
     /// Store and backup as they were, in a folder of their own.
     void begin_again() {
         folder = std::make_unique<TemporaryFolder>();
-        for (const char* name : {"placode.db", "copy.db", "placode.db.known"})
+        for (const char* name : {"placode.db", "copy.db", "placode.db.known", "placode.db.seen"})
             if (fs::exists(original(name))) fs::copy_file(original(name), folder->file(name));
         path = folder->file("placode.db");
     }
