@@ -221,6 +221,10 @@ TEST_F(Programs, ARecordingBecomesAnAttemptOfAPerson) {
     EXPECT_EQ(number_in(saved.out, "attempt"), 1);
     EXPECT_THAT(ctl("attempts --user demo-anna").out, HasSubstr("diathermy_ring_small"));
     EXPECT_EQ(ctl("import b.placode --user nobody").status, 2);
+    // Nobody waits for what is only practice; at night all of it is simulated again, once.
+    EXPECT_THAT(ctl("verify").out, HasSubstr("no attempt waits"));
+    EXPECT_THAT(ctl("verify --all").out, HasSubstr("1 attempt gave the same, 0 attempts differ"));
+    EXPECT_THAT(ctl("verify --all").out, HasSubstr("no attempt waits"));
 }
 
 TEST_F(Programs, PicturesOfAnAttemptAreTimedAtEveryQuality) {
