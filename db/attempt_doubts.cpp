@@ -5,6 +5,7 @@
 #include "db/audit_check.h"
 #include "db/recording_order.h"
 #include "db/recording_seal.h"
+#include "db/store_context.h"
 
 namespace placode::db {
 namespace {

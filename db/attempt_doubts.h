@@ -8,10 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "db/store_context.h"
+#include "db/records.h"
 #include "db/void_reason.h"
 
 namespace placode::db {
+
+struct StoreContext;
 
 /// An exam, or an attempt of a study: it counts only with a recording that was simulated again.
 [[nodiscard]] bool matters(const AttemptResult& result) noexcept;
