@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/benchmark.h"
 #include "assessment/csv_reader.h"
 #include "assessment/signal_file.h"
 #include "curriculum/course.h"
@@ -30,6 +31,7 @@
 #include "db/seals.h"
 #include "db/store_error.h"
 #include "db/store_url.h"
+#include "db/trail_head.h"
 #include "db/void_reason.h"
 #include "haptics/certificate.h"
 #include "haptics/haply_message.h"
@@ -137,25 +139,57 @@ inline std::vector<Seed> seeds_of_chunks() {
             {"events", text('e', db::encode_chunk(std::vector<sim::Event>(50)))}};
 }
 
+inline std::string norm_pack_of_five() {
+    curriculum::NormPack pack;
+    pack.centre = "Centre";
+    pack.made_utc = "2026-01-02T03:04:05Z";
+    pack.task_id = pack.rubric_id = "diathermy_ring";
+    pack.task_version = pack.rubric_version = pack.metric_set_version = 1;
+    const std::vector<double> values{70, 75, 80, 85, 90};
+    pack.groups = {{"expert", 5, 10, {{"points", *assessment::make_benchmark(values, false)}}}};
+    return curriculum::norm_pack_text(pack);
+}
+
+inline std::vector<Seed> seeds_of_standards() {
+    curriculum::PassStandard groups, judges;
+    groups.task_id = judges.task_id = "diathermy_ring";
+    groups.novice = groups.expert = {5, 70, 3, 0.1, 0.2};
+    judges.method = "angoff";
+    judges.angoff = {5, 8, 1.5};
+    return {{"groups", curriculum::standard_json(groups)},
+            {"judges", curriculum::standard_json(judges)}};
+}
+
+inline std::vector<Seed> seeds_of_void_reasons() {
+    std::vector<Seed> seeds;
+    for (int i = 0; i <= static_cast<int>(db::VoidCause::kProctor); ++i)
+        seeds.push_back(
+            {std::to_string(i), db::void_text({{static_cast<db::VoidCause>(i), 1, 2, "words"}})});
+    return seeds;
+}
+
 inline std::vector<Loader> loaders() {
     using namespace curriculum;
     const auto text = [](auto load) {
         return [load](const std::string& json) { (void)load(json, "mutated"); };
     };
-    const auto prose = seeds_in("tests/data", ".md");
     std::vector<Loader> all{
         {"task", seeds_in("data/tasks", ".json"), text(load_task_text)},
         {"course", seeds_in("data/courses", ".json"), text(load_course_text)},
         {"study", seeds_in("data/studies", ".json"), text(load_study_text)},
         {"questionnaire", seeds_in("data/questionnaires", ".json"), text(load_questionnaire_text)},
-        {"standard", seeds_in("data/courses", ".json"), text(load_standard_text)},
-        {"norm_pack", seeds_in("data/courses", ".json"), text(load_norm_pack)},
-        {"signed_norms", seeds_in("data/courses", ".json"), text(load_signed_norms)},
+        {"standard", seeds_of_standards, text(load_standard_text)},
+        {"norm_pack", seed("pack", norm_pack_of_five()), text(load_norm_pack)},
+        {"signed_norms", seed("signed", signed_norms_text({norm_pack_of_five(), "ab", "cd"})),
+         text(load_signed_norms)},
         {"csv", seeds_in("tests/data/statistics", ".csv"),
          [](const std::string& csv) { (void)assessment::read_csv(csv); }},
         {"signal", seeds_in("tests/data/motion", ".csv"),
          from_file("signal.csv", assessment::read_signal_file)},
-        {"station", prose,
+        {"station",
+         seed("arms",
+              "# arms\n\n openhaptics.right = Right arm  # the old one\r\nhaply.right = 04EA\n"
+              "limit.force_n=0.5\n"),
          [](const std::string& conf) { (void)haptics::Station::parse(conf, "mutated"); }},
         {"recording", small_recording, from_file("r.placode", db::read_recording_file)},
         {"recording_header", seeds_in("data/tasks", ".json"),
@@ -173,11 +207,19 @@ inline std::vector<Loader> loaders() {
              haptics::HaplyParts parts;
              parts.read(json, 1);
          }},
-        {"store_url", prose,
+        {"store_url", seed("server", "user:word@host:5432/placode?sslmode=verify-full&timeout=9"),
          [](const std::string& url) { (void)db::parse_store_url("postgresql://" + url); }},
-        {"seals", prose, [](const std::string& lines) { (void)db::seals_of_text(lines); }},
-        {"void_reasons", prose,
+        {"seals",
+         seed("two", db::seals_text({{{"participant", {"pilot", "P001-K"}}, {"-", "ab"}},
+                                     {{"attempt", {"12"}}, {"cd", "-"}}})),
+         [](const std::string& lines) { (void)db::seals_of_text(lines); }},
+        {"void_reasons", seeds_of_void_reasons,
          [](const std::string& reasons) { (void)db::void_reasons(reasons); }},
+        {"not_done", seeds_of_void_reasons,
+         [](const std::string& why) { (void)db::not_done(why); }},
+        {"trail_head",
+         seed("head", db::trail_head_text({"ab", 3, "cd", "2026-01-02T03:04:05Z", "ef", "01"})),
+         from_file("trail.head", db::read_trail_head)},
     };
     for (const char* ending : {".msh", ".vtk", ".vtu"})
         all.push_back({ending + 1, seeds_in("tests/data/meshes", ending),
