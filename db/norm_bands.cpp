@@ -63,6 +63,23 @@ curriculum::NormGroup group_of(const LevelAttempts& level, const std::vector<std
     return group;
 }
 
+/// Other centres measure their trainees by a pack: what people did is in it once it was simulated
+/// again with the same outcome. A pack of demonstrations says that it is one.
+void need_proof(const std::vector<LevelAttempts>& levels) {
+    int all = 0, unproven = 0;
+    for (const LevelAttempts& level : levels)
+        for (const auto& [person, attempts] : level.by_person)
+            for (const MeasuredAttempt& attempt : attempts) {
+                ++all;
+                if (!attempt.record.demonstration &&
+                    attempt.record.replay != ReplayState::kIdentical)
+                    ++unproven;
+            }
+    if (unproven > 0)
+        refuse("norms: " + std::to_string(unproven) + " of " + std::to_string(all) +
+               " attempts were never simulated again; let `placodectl verify --all` do that first");
+}
+
 }  // namespace
 
 int LevelAttempts::attempts() const {
@@ -140,6 +157,7 @@ curriculum::NormPack make_norms(const std::vector<LevelAttempts>& levels, const 
     pack.rubric_version = first.rubric_version;
     pack.metric_set_version = first.metric_set_version;
     pack.preprocessing_version = first.preprocessing_version;
+    need_proof(levels);
     for (const LevelAttempts& level : levels)
         for (const auto& [person, attempts] : level.by_person)
             for (const MeasuredAttempt& attempt : attempts) {

@@ -41,7 +41,9 @@ class Norms : public EngineTest {
         result.metrics.values = {{"task_time_s", time_s}, {"placode_contacts", 1}};
         result.score.points = points;
         result.score.rubric_id = "ring";
-        return store->attempts().save(user, result);
+        const int64_t id = store->attempts().save(user, result);
+        if (replayed) store->attempts().set_replay(id, db::ReplayState::kIdentical, "");
+        return id;
     }
     /// `n` persons, two attempts each, about `points` and `time_s`.
     std::vector<int64_t> level(const std::string& name, int n, double points, double time_s) const {
@@ -56,6 +58,7 @@ class Norms : public EngineTest {
     }
 
     std::unique_ptr<db::Store> store;
+    bool replayed = true;  ///< Attempts were simulated again.
 };
 
 INSTANTIATE_TEST_SUITE_P(Engines, Norms, testing::Values("Sqlite", "Postgresql"), engine_name);
@@ -93,6 +96,19 @@ TEST_P(Norms, ASmallGroupIsNeverMadeIntoABand) {
                        "A", kDay, 5));
     text.replace(text.find("\"persons\": 5"), 12, "\"persons\": 4");
     EXPECT_THROW((void)curriculum::load_norm_pack(text, "x"), curriculum::DefinitionError);
+}
+
+TEST_P(Norms, WhatWasNotSimulatedAgainIsNobodysNorm) {
+    auto people = level("e", 5, 80, 100);
+    replayed = false;
+    attempt(people[2], 99, 1);
+    EXPECT_THAT(failure_of([&] {
+                    (void)db::make_norms(
+                        db::level_attempts(*store, "diathermy_ring", {{"expert", people}}), "A",
+                        kDay, 5);
+                }).what(),
+                HasSubstr("norms: 1 of 11 attempts were never simulated again; let `placodectl "
+                          "verify --all` do that first"));
 }
 
 TEST_P(Norms, OnlyAttemptsThatCanBeComparedAreUsed) {

@@ -225,13 +225,20 @@ TEST_F(TrainingPrograms, StandardsAreSetFromGroupsAndExchangedSigned) {
                 result.metrics.values = {{"task_time_s", (expert ? 100 : 300) + 5 * i + jitter}};
                 result.score.points = (expert ? 80 : 40) + 2 * (i % 5) + jitter;
                 result.score.rubric_id = "ring";
-                direct->attempts().save(user, result);
+                (void)direct->attempts().save(user, result);
             }
         }
     }
     const std::string make = "norms make diathermy_ring --level expert=E --level novice=N ";
     EXPECT_EQ(as("anna", make + "--centre Here").status, 1);
     EXPECT_THAT(as("ewa", make + "--centre Here --least 6").err, HasSubstr("has 5 persons"));
+    EXPECT_THAT(as("ewa", make + "--centre Here").err,
+                HasSubstr("20 of 20 attempts were never simulated again"));
+    {
+        const auto direct = db::open_store("sqlite:" + store, cheap());
+        for (const auto& each : direct->attempts().list(0))
+            direct->attempts().set_replay(each.id, db::ReplayState::kIdentical, "");
+    }
     EXPECT_THAT(as("ewa", make).err, HasSubstr("no name yet"));
     const Outcome made = as("ewa", "--json " + make + "--centre Here");
     ASSERT_EQ(made.status, 0) << made.err;

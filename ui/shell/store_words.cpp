@@ -152,6 +152,12 @@ constexpr const char* kSentences[]{
     QT_TRANSLATE_NOOP("StoreWords", "this rater has rated the attempt already"),
     QT_TRANSLATE_NOOP("StoreWords", "the centre has no name yet; give it with the first norm pack"),
     QT_TRANSLATE_NOOP("StoreWords",
+                      "the level \"%1\" has %2 persons with attempts; at least %3 are needed, "
+                      "because bands of fewer tell about persons"),
+    QT_TRANSLATE_NOOP("StoreWords",
+                      "%1 of %2 attempts were never simulated again; let `placodectl verify --all` "
+                      "do that first"),
+    QT_TRANSLATE_NOOP("StoreWords",
                       "its signature is wrong: the pack was changed after it was signed"),
     QT_TRANSLATE_NOOP("StoreWords", "its centre \"%1\" with the key %2 is not trusted here"),
     // Files

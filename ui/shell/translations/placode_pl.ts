@@ -10458,6 +10458,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>ośrodek nie ma jeszcze nazwy; podaj ją przy pierwszym pakiecie norm</translation>
     </message>
     <message>
+        <source>the level &quot;%1&quot; has %2 persons with attempts; at least %3 are needed, because bands of fewer tell about persons</source>
+        <translation>na poziomie „%1” osób z próbami jest %2; potrzeba co najmniej %3, bo pasmo mniejszej liczby mówi o osobach</translation>
+    </message>
+    <message>
+        <source>%1 of %2 attempts were never simulated again; let `placodectl verify --all` do that first</source>
+        <translation>prób, których nie zasymulowano ponownie: %1 z %2; najpierw niech zrobi to `placodectl verify --all`</translation>
+    </message>
+    <message>
         <source>its signature is wrong: the pack was changed after it was signed</source>
         <translation>podpis jest błędny: pakiet zmieniono po podpisaniu</translation>
     </message>
