@@ -36,6 +36,10 @@ struct Erasure {
 /// @param url of the store, as it was opened.
 Erasure erase_person(Store& store, const std::string& url, int64_t user_id, bool with_attempts);
 
+/// In the trail of a restored store, where the store that it replaced was there and told nobody:
+/// whoever was erased in it since the backup is back.
+inline constexpr const char* kErasuresUnknown = "erasures since the backup are unknown";
+
 /// Who was erased in a store, and whether with the attempts: by account.
 struct ErasedPerson {
     int64_t user_id = 0;

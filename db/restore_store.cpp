@@ -4,6 +4,7 @@
 
 #include <QDateTime>
 #include <filesystem>
+#include <optional>
 
 #include "db/durable_file.h"
 #include "db/erasure.h"
@@ -23,25 +24,28 @@ namespace fs = std::filesystem;
 using Kind = StoreError::Kind;
 
 /// Whoever was erased in the store that is replaced, and which store that is. Read without opening
-/// it as a store, which would bring an older one up to date. One that cannot be read says nothing.
-std::vector<ErasedPerson> erased_meanwhile(const std::string& path, std::string& store_id) {
+/// it as a store, which would bring an older one up to date. Nothing where it cannot be read.
+std::optional<std::vector<ErasedPerson>> erased_meanwhile(const std::string& path,
+                                                          std::string& store_id) {
     std::vector<AuditRecord> entries;
     sqlite3* database = nullptr;
     const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
     const SqlitePointer owner(database);
-    if (code != SQLITE_OK) return {};
+    if (code != SQLITE_OK) return std::nullopt;
     distrust_schema(database);
     RawStatement first(database, "SELECT chain FROM audit ORDER BY id LIMIT 1");
-    if (first.prepared() != SQLITE_OK || first.step() != SQLITE_ROW) return {};
+    if (first.prepared() != SQLITE_OK || first.step() != SQLITE_ROW) return std::nullopt;
     store_id = first.text(0);
     RawStatement erased(database, "SELECT object, detail FROM audit WHERE action = 'user.erase'");
-    if (erased.prepared() != SQLITE_OK) return {};
-    while (erased.step() == SQLITE_ROW) {
+    if (erased.prepared() != SQLITE_OK) return std::nullopt;
+    int step = 0;
+    while ((step = erased.step()) == SQLITE_ROW) {
         AuditRecord entry;
         entry.object = erased.text(0);
         entry.detail = erased.text(1);
         entries.push_back(std::move(entry));
     }
+    if (step != SQLITE_DONE) return std::nullopt;
     return people_of(entries);
 }
 
@@ -62,11 +66,13 @@ void prove(const std::string& copy, const std::string& backup_path, const std::s
     if (!problems.empty())
         throw StoreError(Kind::kDamaged, operation + ": the backup is damaged (" +
                                              problems.front() + "); nothing was changed");
-    store->audit().write(actor, "store.restore", backup_path, "");
     // A person who asked to be erased does not come back with a backup.
     std::string replaced;
     const auto erased = erased_meanwhile(replaced_path, replaced);
-    if (replaced == store->audit().head().store) erase_again(*store, erased);
+    const bool was_here = fs::exists(replaced_path) || fs::exists(mark_of_store(replaced_path));
+    store->audit().write(actor, "store.restore", backup_path,
+                         erased || !was_here ? "" : kErasuresUnknown);
+    if (erased && replaced == store->audit().head().store) erase_again(*store, *erased);
 }
 
 }  // namespace

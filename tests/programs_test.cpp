@@ -142,7 +142,8 @@ TEST_F(Programs, ADamagedStoreIsLeftAsItIsAndABackupTakesItsPlace) {
     EXPECT_EQ(read_text(store), "scrambled eggs");
     const Outcome restored = ctl("restore " + copy);
     EXPECT_EQ(restored.status, 0) << restored.err;
-    EXPECT_THAT(restored.out, HasSubstr("the old store is kept as"));
+    EXPECT_THAT(restored.out, AllOf(HasSubstr("the old store is kept as"),
+                                    HasSubstr("Whoever was erased since this backup is back")));
     EXPECT_THAT(ctl("user list").out, HasSubstr("anna"));
 }
 

@@ -3,6 +3,7 @@
 // The embedded store as a file: rights, damage, locks, backup and restore.
 
 #include "db/sqlite_file.h"
+#include "db/erasure.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
@@ -256,6 +257,10 @@ TEST_F(SqliteFile, ADamagedStoreIsReplacedByItsBackup) {
     const std::string aside = db::restore_store(url, copy);
     EXPECT_EQ(read_text(aside), "scrambled");
     EXPECT_EQ(open()->accounts().list().size(), 5u);
+    // Nobody can tell who was erased in it since.
+    EXPECT_EQ(open()->audit().trail(1).at(0).detail, db::kErasuresUnknown);
+    (void)db::restore_store(url, copy);
+    EXPECT_EQ(open()->audit().trail(1).at(0).detail, "") << "a store that can be read";
 }
 
 TEST_F(SqliteFile, RestoringRefusesABadBackupAndAStoreInUse) {

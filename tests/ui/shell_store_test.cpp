@@ -97,6 +97,7 @@ void ShellStoreTest::aStoreThatIsGoneComesFromItsBackup() {
     shell_->open_this = copy;
     QVERIFY(shell_->click("restore_backup"));
     QVERIFY(shell_->arrives(PageId::kLogin));
+    QVERIFY(shell_->bannerSays("Whoever was erased since it was made is back"));
     QVERIFY(shell_->signIn("ada", "correct horse"));
     QVERIFY(QFile::exists(file()));
 }

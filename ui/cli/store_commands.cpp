@@ -7,6 +7,7 @@
 #include <chrono>
 #include <memory>
 
+#include "db/erasure.h"
 #include "db/store_url.h"
 #include "ui/cli/scratch_folder.h"
 #include "ui/cli/session.h"
@@ -83,10 +84,17 @@ int restore(const Context& context, const std::string& path) {
     const std::string url = store_url_of(context);
     const std::string actor = who_restores(context, url);
     const std::string aside = db::restore_store(url, path, actor);
-    Json json{{"store", db::parse_store_url(url).shown}, {"restored_from", path}};
+    const auto last = db::open_store(url)->audit().trail(1);
+    const bool unknown = !last.empty() && last.front().detail == db::kErasuresUnknown;
+    Json json{{"store", db::parse_store_url(url).shown},
+              {"restored_from", path},
+              {"erasures_unknown", unknown}};
     if (!aside.empty()) json["old_store"] = aside;
     print(context, json,
-          "restored " + path + (aside.empty() ? "" : "; the old store is kept as " + aside));
+          "restored " + path + (aside.empty() ? "" : "; the old store is kept as " + aside) +
+              (unknown ? "\nThe store that was there could not be read. Whoever was erased since "
+                         "this backup is back: look at your list of requests, and erase them again"
+                       : ""));
     return 0;
 }
 

@@ -51,7 +51,12 @@ void MainWindow::showMissingStore() {
     });
     add(tr("Restore a backup"), "secondary", "", "restore_backup", [this, go_on, filter] {
         const QString file = context_.askOpenFile(this, tr("Restore a backup"), filter);
-        go_on(!file.isEmpty() && context_.restoreBackup(file));
+        if (file.isEmpty() || !context_.restoreBackup(file)) return;
+        go_on(true);
+        // The store that knew who was erased is always gone here.
+        notices_->showNotice(
+            tr("The backup is in place. Whoever was erased since it was made is back: look at your "
+               "list of requests, and erase them again."));
     });
     add(tr("Begin anew, without any data"), "danger", "", "begin_anew", [this, go_on] {
         go_on(confirm(this, tr("Begin with an empty store?"),

@@ -6247,6 +6247,10 @@
         <translation>Nie można pokazać tej strony.</translation>
     </message>
     <message>
+        <source>The backup is in place. Whoever was erased since it was made is back: look at your list of requests, and erase them again.</source>
+        <translation>Kopia jest na miejscu. Osoby usunięte po jej wykonaniu wróciły: sprawdź listę wniosków i usuń je ponownie.</translation>
+    </message>
+    <message>
         <source>Try again</source>
         <translation>Spróbuj ponownie</translation>
     </message>
