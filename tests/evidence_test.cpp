@@ -7,12 +7,14 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "db/attempt_counting.h"
 #include "db/course_conduct.h"
 #include "db/recording_file.h"
 #include "db/recording_order.h"
+#include "db/rescore.h"
 #include "tests/attempt_fixture.h"
 #include "tests/bars.h"
 #include "tests/forgeries.h"
@@ -296,6 +298,26 @@ TEST_F(Evidence, OneRecordingIsNotTheExamOfTwoPeople) {
     EXPECT_FALSE(db::counts(record(third)));
     EXPECT_THAT(record(third).void_reason, HasSubstr("the recording is that of attempt"));
     EXPECT_FALSE(mastered(jan));
+}
+
+TEST_F(Evidence, OneForgedRecordingKeepsNobodyFromBeingRescored) {
+    Recording forged = honest_attempt();
+    sim::SplitMix64 random(1);
+    forgeries_of_the_task().front().make(forged, random);
+    forged.header.started_utc = "2026-02-02T00:00:00Z";
+    const int64_t first = take(jan, forged), honest = take(anna, honest_attempt());
+    const auto rescored = [&](const curriculum::Task& task) {
+        const auto outcomes = db::rescore(*store, task, {});
+        const auto found = std::ranges::find(outcomes, honest, &db::RescoreOutcome::attempt_id);
+        EXPECT_EQ(outcomes.size(), 2u);
+        return found == outcomes.end() ? db::RescoreState::kUnreadable : found->state;
+    };
+    EXPECT_EQ(rescored(curriculum::load_task(kTask)), db::RescoreState::kAlreadyThere);
+    auto next = nlohmann::json::parse(honest_attempt().header.task_json);
+    next["rubric"]["version"] = next["rubric"]["version"].get<int>() + 1;
+    EXPECT_EQ(rescored(curriculum::load_task_text(next.dump(), "next")),
+              db::RescoreState::kRescored);
+    EXPECT_FALSE(db::counts(record(first)));
 }
 
 TEST_F(Evidence, AScriptPassesNoExamOfAPerson) {
