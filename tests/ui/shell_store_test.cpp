@@ -98,6 +98,7 @@ void ShellStoreTest::aStoreThatIsGoneComesFromItsBackup() {
     QVERIFY(shell_->click("restore_backup"));
     QVERIFY(shell_->arrives(PageId::kLogin));
     QVERIFY(shell_->bannerSays("Whoever was erased since it was made is back"));
+    shell_->shot("105_restored");
     QVERIFY(shell_->signIn("ada", "correct horse"));
     QVERIFY(QFile::exists(file()));
 }
