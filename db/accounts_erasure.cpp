@@ -14,9 +14,11 @@ using Kind = StoreError::Kind;
 
 namespace {
 
-std::vector<int64_t> ids_of(Connection& connection, const char* sql, int64_t user_id) {
+/// @param of what the question asks about: an account's number, or how the trail names it.
+template <class Of>
+std::vector<int64_t> ids_of(Connection& connection, const char* sql, const Of& of) {
     Statement query(connection, sql);
-    query.run(user_id);
+    query.run(of);
     std::vector<int64_t> ids;
     while (query.next()) ids.push_back(query.integer(0));
     return ids;
@@ -41,16 +43,11 @@ void forget_signatures_name(StoreContext& context, int64_t user_id) {
 
 /// An earlier version kept "for whom" of an invitation after somebody had accepted it.
 void forget_whom_it_was_for(StoreContext& context, int64_t user_id) {
-    std::vector<int64_t> ids;
-    {
-        Statement query(context.connection,
-                        "SELECT i.id FROM invitations i JOIN audit t ON t.action = 'user.invited' "
-                        "AND t.detail = 'invitation ' || CAST(i.id AS TEXT) WHERE t.object = ? AND "
-                        "i.note <> ''");
-        query.run(user_object(user_id));
-        while (query.next()) ids.push_back(query.integer(0));
-    }
-    for (const int64_t id : ids) {
+    for (const int64_t id : ids_of(
+             context.connection,
+             "SELECT i.id FROM invitations i JOIN audit t ON t.action = 'user.invited' AND "
+             "t.detail = 'invitation ' || CAST(i.id AS TEXT) WHERE t.object = ? AND i.note <> ''",
+             user_object(user_id))) {
         context.touch("invitation", id);
         Statement(context.connection, "UPDATE invitations SET note = '' WHERE id = ?").run(id);
     }

@@ -7,6 +7,15 @@
 #include "db/void_reason.h"
 
 namespace placode::db {
+namespace {
+
+std::vector<int64_t> ids_of(Statement& query) {
+    std::vector<int64_t> found;
+    while (query.next()) found.push_back(query.integer(0));
+    return found;
+}
+
+}  // namespace
 
 std::vector<int64_t> Attempts::waiting_for_replay() {
     connection_.begin_operation("list what is to be replayed in");
@@ -14,9 +23,7 @@ std::vector<int64_t> Attempts::waiting_for_replay() {
     Statement query(connection_,
                     "SELECT id FROM attempts WHERE replay = ? ORDER BY started_utc, id");
     query.run(static_cast<int>(ReplayState::kWaiting));
-    std::vector<int64_t> found;
-    while (query.next()) found.push_back(query.integer(0));
-    return found;
+    return ids_of(query);
 }
 
 std::vector<int64_t> Attempts::never_replayed() {
@@ -28,9 +35,7 @@ std::vector<int64_t> Attempts::never_replayed() {
                     "a.started_utc, a.id");
     query.run(static_cast<int>(ReplayState::kNotReplayed),
               static_cast<int>(sim::EndReason::kInterrupted));
-    std::vector<int64_t> found;
-    while (query.next()) found.push_back(query.integer(0));
-    return found;
+    return ids_of(query);
 }
 
 void Attempts::set_replay(int64_t attempt_id, ReplayState state, const std::string& note) {

@@ -12,6 +12,7 @@
 #include "tests/bars.h"
 #include "tests/fault_vfs.h"
 #include "tests/store_cases.h"
+#include "tests/whole_store.h"
 
 using namespace placode;
 using namespace placode::test;
@@ -190,18 +191,11 @@ class DiskFaults : public testing::Test {
     }
 
     Command saving(const std::string& recording);
-    /// The number of accounts of a store that is whole.
     [[nodiscard]] int accounts_of(const std::string& file) const {
-        const auto store = db::open_store("sqlite:" + file, options);
-        EXPECT_THAT(store->check(), IsEmpty());
-        return static_cast<int>(store->accounts().list().size());
+        return accounts_of_whole(file, options);
     }
     [[nodiscard]] std::vector<std::string> names_with(const std::string& part) const {
-        std::vector<std::string> found;
-        for (const auto& entry : fs::directory_iterator(folder->path()))
-            if (entry.path().filename().string().find(part) != std::string::npos)
-                found.push_back(entry.path().string());
-        return found;
+        return files_with(folder->path(), part);
     }
 
     TemporaryFolder originals;

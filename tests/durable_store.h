@@ -8,6 +8,7 @@
 #include "tests/bars.h"
 #include "tests/store_fixture.h"
 #include "tests/traced_child.h"
+#include "tests/whole_store.h"
 
 namespace placode::test {
 
@@ -77,18 +78,11 @@ class DurableFile : public testing::Test {
         }
         RecordProperty("steps", whole.steps);
     }
-    /// The number of accounts of a store that is whole.
     [[nodiscard]] int accounts_of(const std::string& file) const {
-        const auto store = db::open_store("sqlite:" + file, options);
-        EXPECT_THAT(store->check(), testing::IsEmpty());
-        return static_cast<int>(store->accounts().list().size());
+        return accounts_of_whole(file, options);
     }
     [[nodiscard]] std::vector<std::string> names_with(const std::string& part) const {
-        std::vector<std::string> found;
-        for (const auto& entry : fs::directory_iterator(folder->path()))
-            if (entry.path().filename().string().find(part) != std::string::npos)
-                found.push_back(entry.path().string());
-        return found;
+        return files_with(folder->path(), part);
     }
     static void scramble(const std::string& file) {
         std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
