@@ -125,6 +125,13 @@ TEST_P(People, AnInvitationMakesOneAccountInItsGroupUntilItsLastDay) {
     EXPECT_FALSE(store->accounts().invitations()[0].used_utc.empty());
     EXPECT_EQ(store->accounts().invitations()[0].note, "olga") << "who accepted it";
     EXPECT_TRUE(store->accounts().invitations()[1].used_utc.empty());
+    // An earlier version kept for whom it was; erasure knows whose it became.
+    const auto note = [this] { return raw().value("SELECT note FROM invitations WHERE id = 1"); };
+    EXPECT_EQ(note(), "");
+    ASSERT_TRUE(raw().run("UPDATE invitations SET note = 'Olga from Gdansk' WHERE id = 1"));
+    store->accounts().erase(id, false);
+    EXPECT_EQ(note(), "");
+    EXPECT_EQ(raw().value("SELECT note FROM invitations WHERE id = 2"), invitation.note);
     invitation.expires_utc = "soon";
     EXPECT_EQ(failure_of([&] { store->accounts().invite(invitation); }).kind(),
               StoreError::Kind::kRefused);
