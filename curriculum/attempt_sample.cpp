@@ -46,9 +46,9 @@ sim::Sample sample_of(const sim::Scene& scene, const sim::State& state,
         out.in_view = tip_in_view(scene, state, i) ? 1 : 0;
         out.touched = tool.touched;
     }
-    sample.placode_peak_c = state.placode_peak_c;
-    sample.placode_peak_cem43_min = state.placode_peak_cem43_min;
-    sample.placode_burned_m3 = state.placode_burned_m3;
+    sample.placode_peak_c = state.ledger.placode_peak_c;
+    sample.placode_peak_cem43_min = state.ledger.placode_peak_cem43_min;
+    sample.placode_burned_m3 = state.ledger.placode_burned_m3;
     sample.phase = state.phase;
     return sample;
 }

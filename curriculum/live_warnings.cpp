@@ -67,8 +67,9 @@ void LiveWarnings::ring_closed(double time_s) noexcept {
 void LiveWarnings::look_at_energy(const sim::State& state, std::span<const sim::ToolInput> inputs,
                                   size_t i, bool sampled) noexcept {
     const sim::ToolState& tool = state.tools[i];
-    if (tool.air_s > kAirS) say("Energy in air", state.time_s);
-    if (tool.dwell_s > kDwellS) say("Too long on one spot", state.time_s);
+    const sim::ToolLedger& spell = state.ledger.tools[i];
+    if (spell.air_s > kAirS) say("Energy in air", state.time_s);
+    if (spell.dwell_s > kDwellS) say("Too long on one spot", state.time_s);
     if (!sampled || !sim::conducts(scene_->tools[i].kind) || inputs[i].pedals == 0) return;
     const sim::Vec2 tip = tool.proxy.p.head<2>();
     if (placode_ && tool.in_contact != 0 && placode_->nearest(tip).offset < kNearPlacodeM)
@@ -83,7 +84,8 @@ void LiveWarnings::look(const sim::State& state, std::span<const sim::ToolInput>
         const sim::ToolState& tool = state.tools[i];
         if (scene_->tools[i].kind == sim::ToolKind::kScope) continue;
         look_at_energy(state, inputs, i, sampled);
-        if (tool.in_contact != 0 && tool.touched == sim::Tissue::kPlacode && tool.contact_s > 0)
+        if (tool.in_contact != 0 && tool.touched == sim::Tissue::kPlacode &&
+            state.ledger.tools[i].contact_s > 0)
             say("Placode touched", state.time_s);
     }
     for (int i = 0; i < state.event_count; ++i) {

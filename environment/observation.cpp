@@ -55,12 +55,14 @@ constexpr Number kProgress[] = {
     {"marked_taken_out",
      [](const Sight& s) { return std::max(0.0, sim::taken_out_share(s.scene, s.state)); }},
     {"pieces_out", [](const Sight& s) { return static_cast<double>(s.seen.pieces_out); }},
-    {"placode_peak_c", [](const Sight& s) { return static_cast<double>(s.state.placode_peak_c); }},
-    {"placode_now_c", [](const Sight& s) { return static_cast<double>(s.state.placode_now_c); }},
+    {"placode_peak_c",
+     [](const Sight& s) { return static_cast<double>(s.state.ledger.placode_peak_c); }},
+    {"placode_now_c",
+     [](const Sight& s) { return static_cast<double>(s.state.ledger.placode_now_c); }},
     {"placode_peak_cem43_min",
-     [](const Sight& s) { return static_cast<double>(s.state.placode_peak_cem43_min); }},
+     [](const Sight& s) { return static_cast<double>(s.state.ledger.placode_peak_cem43_min); }},
     {"placode_burned_mm3",
-     [](const Sight& s) { return 1e9 * static_cast<double>(s.state.placode_burned_m3); }},
+     [](const Sight& s) { return 1e9 * static_cast<double>(s.state.ledger.placode_burned_m3); }},
     {"removed_mm3", [](const Sight& s) { return 1e9 * static_cast<double>(s.state.removed_m3); }},
 };
 

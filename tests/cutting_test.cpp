@@ -130,7 +130,7 @@ Stroke cut_along_contour() {
     if (!lateral.empty()) result.width_m = 2 * lateral[lateral.size() * 9 / 10];
     result.area_m2 = state.removed_m3 / result.length_m;
     result.cut = state.progress.cut_count;
-    result.cem43_min = state.placode_peak_cem43_min;
+    result.cem43_min = state.ledger.placode_peak_cem43_min;
     return result;
 }
 

@@ -159,9 +159,9 @@ TEST(Step, AnEnergisedNeedleOnThePlacodeBurnsIt) {
     EXPECT_GE(count(events, EventKind::kPlacodeOverheated), 1);
     EXPECT_GE(count(events, EventKind::kPlacodeBurned), 1);
     EXPECT_EQ(count(events, EventKind::kVaporised), 0) << "coagulation removes nothing";
-    EXPECT_GT(state.placode_peak_c, 60);
-    EXPECT_GT(state.placode_peak_cem43_min, 20);
-    EXPECT_GT(state.placode_burned_m3, 0);
+    EXPECT_GT(state.ledger.placode_peak_c, 60);
+    EXPECT_GT(state.ledger.placode_peak_cem43_min, 20);
+    EXPECT_GT(state.ledger.placode_burned_m3, 0);
 }
 
 TEST(Step, AnEnergyFreeFirstTouchBeginsTheIncision) {

@@ -105,8 +105,8 @@ TEST(WholeState, TheHashSeesWhatWaitsForTheNextFrames) {
     };
     EXPECT_TRUE(changes([&] { ++state.separation.count; }, [&] { --state.separation.count; }));
     EXPECT_TRUE(changes([&] { state.flood.running = 1; }, [&] { state.flood.running = 0; }));
-    EXPECT_TRUE(
-        changes([&] { state.tools[0].dwell_s += 1; }, [&] { state.tools[0].dwell_s -= 1; }));
+    EXPECT_TRUE(changes([&] { state.ledger.tools[0].dwell_s += 1; },
+                        [&] { state.ledger.tools[0].dwell_s -= 1; }));
     EXPECT_TRUE(changes([&] { state.gone_by_heat[5] = 1; }, [&] { state.gone_by_heat[5] = 0; }));
     EXPECT_TRUE(
         changes([&] { state.friction[7].slipping = 3; }, [&] { state.friction[7].slipping = 0; }));

@@ -28,21 +28,21 @@ constexpr double kOverStretchPause = 0.5;  // between ledger entries of one tiss
 /// A tet that is below all limits.
 void forget_stretch(State& state, int tet) noexcept {
     state.stretch_count[tet] = 0;
-    state.over_stretch.below(tet);
+    state.ledger.over_stretch.below(tet);
 }
 
 /// Checks one tet; tears it or writes over-stretch into the ledger. Returns tets torn (0 or 1).
 int check_stretch(const Scene& scene, State& state, int tet, int weight, int tool) noexcept {
     const Tissue tissue = scene.body.mesh().tissue[tet];
     const Material& material = scene.body.spec().materials[static_cast<int>(tissue)];
-    OverStretch& sums = state.over_stretch;
+    OverStretch& sums = state.ledger.over_stretch;
     double stretch = principal_stretch(scene, state, tet);
     // The mean costs more, so that it is asked only where one tet is beyond a limit.
     if (stretch > std::min(material.injury_stretch, material.fail_stretch))
         stretch = mean_stretch(scene, state, tet, scene.tear_radius_m);
-    if (stretch > material.injury_stretch && !state.stretch_reported[tet]) {
-        state.stretch_reported[tet] = 1;
-        float& pause = state.over_stretch_pause_s[static_cast<int>(tissue)];
+    if (stretch > material.injury_stretch && !state.ledger.stretch_reported[tet]) {
+        state.ledger.stretch_reported[tet] = 1;
+        float& pause = state.ledger.over_stretch_pause_s[static_cast<int>(tissue)];
         if (pause <= 0) {
             pause = static_cast<float>(kOverStretchPause);
             Event e = tissue_event(scene, state, EventKind::kOverStretch, tet);

@@ -26,41 +26,42 @@ constexpr double kRingComplete = 0.99;
 constexpr double kResected = 0.9;  // of the marked volume: what is left is not worth a phase
 
 void end_dwell(State& state, int t) noexcept {
-    ToolState& tool = state.tools[t];
-    if (tool.dwell_s > kNoticeS) {
+    ToolLedger& spell = state.ledger.tools[t];
+    if (spell.dwell_s > kNoticeS) {
         Event e = tool_event(state, EventKind::kDwell, t);
-        e.value = tool.dwell_s;
+        e.value = spell.dwell_s;
         add_event(state, e);
     }
-    tool.dwell_s = 0;
+    spell.dwell_s = 0;
 }
 
 void end_air(State& state, int t) noexcept {
-    ToolState& tool = state.tools[t];
-    if (tool.air_s > kNoticeS) {
+    ToolLedger& spell = state.ledger.tools[t];
+    if (spell.air_s > kNoticeS) {
         Event e = tool_event(state, EventKind::kEnergyInAir, t);
-        e.value = tool.air_s;
+        e.value = spell.air_s;
         add_event(state, e);
     }
-    tool.air_s = 0;
+    spell.air_s = 0;
 }
 
 void end_placode_energised(State& state, int t) noexcept {
-    ToolState& tool = state.tools[t];
-    if (tool.placode_energised_s > 0) {
+    ToolLedger& spell = state.ledger.tools[t];
+    if (spell.placode_energised_s > 0) {
         Event e = tool_event(state, EventKind::kPlacodeEnergised, t);
         e.tissue = Tissue::kPlacode;
-        e.value = tool.placode_energised_s;
-        e.value2 = tool.energised_peak_c;
+        e.value = spell.placode_energised_s;
+        e.value2 = spell.energised_peak_c;
         add_event(state, e);
     }
-    tool.placode_energised_s = 0;
-    tool.energised_peak_c = 0;
+    spell.placode_energised_s = 0;
+    spell.energised_peak_c = 0;
 }
 
 /// Activation of one instrument: on, off, in air, dwelling, on the placode.
 void ledger_energy(const Scene& scene, State& state, int t, bool active, double dt) noexcept {
     ToolState& tool = state.tools[t];
+    ToolLedger& spell = state.ledger.tools[t];
     const ToolSpec& spec = scene.tools[t];
     const auto seconds = static_cast<float>(dt);
     if (active && !tool.energised) {
@@ -68,27 +69,27 @@ void ledger_energy(const Scene& scene, State& state, int t, bool active, double 
         e.value = static_cast<float>(spec.cut_power_w);
         if (tool.coagulating) e.value = static_cast<float>(spec.coag_power_w);
         add_event(state, e);
-        tool.energy_on_s = tool.energy_j = 0;
+        spell.energy_on_s = spell.energy_j = 0;
     }
     if (active) {
-        tool.energy_on_s += seconds;
-        tool.energy_j += static_cast<float>(tool.power_in_tissue_w * dt);
+        spell.energy_on_s += seconds;
+        spell.energy_j += static_cast<float>(tool.power_in_tissue_w * dt);
         const bool in_tissue = tool.power_in_tissue_w > 0;
         if (in_tissue) {
             end_air(state, t);
-            if (tool.dwell_s == 0 ||
-                (tool.spot - tool.dwell_centre).norm() > scene.heat->settings().dwell_radius_m) {
+            if (spell.dwell_s == 0 ||
+                (tool.spot - spell.dwell_centre).norm() > scene.heat->settings().dwell_radius_m) {
                 end_dwell(state, t);
-                tool.dwell_centre = tool.spot;
+                spell.dwell_centre = tool.spot;
             }
-            tool.dwell_s += seconds;
+            spell.dwell_s += seconds;
         } else {
             end_dwell(state, t);
-            tool.air_s += seconds;
+            spell.air_s += seconds;
         }
         if (in_tissue && tool.touched == Tissue::kPlacode) {
-            tool.placode_energised_s += seconds;
-            tool.energised_peak_c = std::max(tool.energised_peak_c, state.placode_now_c);
+            spell.placode_energised_s += seconds;
+            spell.energised_peak_c = std::max(spell.energised_peak_c, state.ledger.placode_now_c);
         } else {
             end_placode_energised(state, t);
         }
@@ -97,8 +98,8 @@ void ledger_energy(const Scene& scene, State& state, int t, bool active, double 
         end_dwell(state, t);
         end_placode_energised(state, t);
         Event e = tool_event(state, EventKind::kEnergyOff, t);
-        e.value = tool.energy_on_s;
-        e.value2 = tool.energy_j;
+        e.value = spell.energy_on_s;
+        e.value2 = spell.energy_j;
         add_event(state, e);
     }
     tool.energised = active ? 1 : 0;
@@ -106,35 +107,36 @@ void ledger_energy(const Scene& scene, State& state, int t, bool active, double 
 
 /// Contact with the placode and too much force.
 void ledger_force(const Scene& scene, State& state, int t, double dt) noexcept {
-    ToolState& tool = state.tools[t];
+    const ToolState& tool = state.tools[t];
+    ToolLedger& spell = state.ledger.tools[t];
     const auto seconds = static_cast<float>(dt);
     if (tool.placode_force_n > scene.contact.placode_warn_force_n) {
-        tool.contact_s += seconds;
-        tool.quiet_s = 0;
-        tool.peak_force_n = std::max(tool.peak_force_n, static_cast<float>(tool.placode_force_n));
-    } else if (tool.contact_s > 0) {
-        tool.quiet_s += seconds;
-        if (tool.quiet_s >= kDebounceS || !tool.engaged) {
+        spell.contact_s += seconds;
+        spell.quiet_s = 0;
+        spell.peak_force_n = std::max(spell.peak_force_n, static_cast<float>(tool.placode_force_n));
+    } else if (spell.contact_s > 0) {
+        spell.quiet_s += seconds;
+        if (spell.quiet_s >= kDebounceS || !tool.engaged) {
             Event e = tool_event(state, EventKind::kPlacodeContact, t);
             e.tissue = Tissue::kPlacode;
-            e.value = tool.contact_s;
-            e.value2 = tool.peak_force_n;
+            e.value = spell.contact_s;
+            e.value2 = spell.peak_force_n;
             add_event(state, e);
-            tool.contact_s = tool.peak_force_n = tool.quiet_s = 0;
+            spell.contact_s = spell.peak_force_n = spell.quiet_s = 0;
         }
     }
     const double force = tool.force_n.norm();
     if (force > scene.contact.over_force_n) {
-        tool.over_force_s += seconds;
-        tool.over_force_peak_n = std::max(tool.over_force_peak_n, static_cast<float>(force));
-    } else if (tool.over_force_s > 0) {
-        if (tool.over_force_s >= kOverForceS) {
+        spell.over_force_s += seconds;
+        spell.over_force_peak_n = std::max(spell.over_force_peak_n, static_cast<float>(force));
+    } else if (spell.over_force_s > 0) {
+        if (spell.over_force_s >= kOverForceS) {
             Event e = tool_event(state, EventKind::kOverForce, t);
-            e.value = tool.over_force_s;
-            e.value2 = tool.over_force_peak_n;
+            e.value = spell.over_force_s;
+            e.value2 = spell.over_force_peak_n;
             add_event(state, e);
         }
-        tool.over_force_s = tool.over_force_peak_n = 0;
+        spell.over_force_s = spell.over_force_peak_n = 0;
     }
 }
 
@@ -160,8 +162,9 @@ void ledger_dose(const Scene& scene, State& state, double dt) noexcept {
     const HeatState& heat = state.heat[0];
     const ContactSettings& limit = scene.contact;
     const auto& volume = state.scratch->placode_volume_m3;
-    state.overheat_pause_s = std::max(0.0f, state.overheat_pause_s - static_cast<float>(dt));
-    state.burn_pause_s = std::max(0.0f, state.burn_pause_s - static_cast<float>(dt));
+    state.ledger.overheat_pause_s =
+        std::max(0.0f, state.ledger.overheat_pause_s - static_cast<float>(dt));
+    state.ledger.burn_pause_s = std::max(0.0f, state.ledger.burn_pause_s - static_cast<float>(dt));
     if (!state.scratch->heat_stepped) return;
     float now = static_cast<float>(scene.heat->settings().body_temperature_c);
     for (int n = 0; n < heat.warm_count; ++n) {
@@ -169,27 +172,27 @@ void ledger_dose(const Scene& scene, State& state, double dt) noexcept {
         if (volume[v] <= 0) continue;
         const float t = heat.temperature_c[v], dose = heat.cem43_min[v];
         now = std::max(now, t);
-        state.placode_peak_cem43_min = std::max(state.placode_peak_cem43_min, dose);
-        uint8_t& reported = state.dose_reported[v];
+        state.ledger.placode_peak_cem43_min = std::max(state.ledger.placode_peak_cem43_min, dose);
+        uint8_t& reported = state.ledger.dose_reported[v];
         if (dose >= limit.warn_dose_cem43_min && !(reported & 1)) {
             reported |= 1;
-            if (state.overheat_pause_s <= 0) {
+            if (state.ledger.overheat_pause_s <= 0) {
                 add_event(state, dose_event(scene, state, EventKind::kPlacodeOverheated, v));
-                state.overheat_pause_s = kOverheatPauseS;
+                state.ledger.overheat_pause_s = kOverheatPauseS;
             }
         }
         if ((dose >= limit.injury_dose_cem43_min || t >= limit.injury_temperature_c) &&
             !(reported & 2)) {
             reported |= 2;
-            state.placode_burned_m3 += volume[v];
-            if (state.burn_pause_s <= 0) {
+            state.ledger.placode_burned_m3 += volume[v];
+            if (state.ledger.burn_pause_s <= 0) {
                 add_event(state, dose_event(scene, state, EventKind::kPlacodeBurned, v));
-                state.burn_pause_s = kOverheatPauseS;
+                state.ledger.burn_pause_s = kOverheatPauseS;
             }
         }
     }
-    state.placode_now_c = now;
-    state.placode_peak_c = std::max(state.placode_peak_c, now);
+    state.ledger.placode_now_c = now;
+    state.ledger.placode_peak_c = std::max(state.ledger.placode_peak_c, now);
 }
 
 void enter_phase(State& state, Phase phase) noexcept {
@@ -214,7 +217,7 @@ void ledger_phase(const Scene& scene, State& state, double dt) noexcept {
         current = current || state.tools[t].energised;
         busy = busy || state.tools[t].energised || state.tools[t].in_contact;
     }
-    state.idle_s = busy ? 0.0f : state.idle_s + static_cast<float>(dt);
+    state.ledger.idle_s = busy ? 0.0f : state.ledger.idle_s + static_cast<float>(dt);
     const double points = static_cast<double>(state.progress.cut.size());
     const bool marked = scene.marked_volume_m3 > 0;
     if (state.phase == Phase::kInspect && busy) {
@@ -228,9 +231,9 @@ void ledger_phase(const Scene& scene, State& state, double dt) noexcept {
     if (state.phase == Phase::kRelease && free && marked) enter_phase(state, Phase::kResect);
     const bool resected =
         state.pieces.marked_gone_m3 >= kResected * scene.marked_volume_m3 && state.pieces.out > 0;
-    if (state.phase == Phase::kResect && resected && state.idle_s >= kCheckAfterS) {
+    if (state.phase == Phase::kResect && resected && state.ledger.idle_s >= kCheckAfterS) {
         enter_phase(state, Phase::kCheck);
-    } else if (state.phase == Phase::kRelease && !marked && state.idle_s >= kCheckAfterS) {
+    } else if (state.phase == Phase::kRelease && !marked && state.ledger.idle_s >= kCheckAfterS) {
         enter_phase(state, Phase::kCheck);
     } else if (state.phase == Phase::kCheck && current) {
         enter_phase(state, Phase::kRelease);
@@ -240,7 +243,7 @@ void ledger_phase(const Scene& scene, State& state, double dt) noexcept {
 /// Broken tethers, recovered elements, substeps.
 void ledger_body(const Scene& scene, State& state) noexcept {
     const auto& tethers = scene.body.spec().tethers;
-    auto& before = state.tether_known;
+    auto& before = state.ledger.tether_known;
     for (size_t i = 0; i < tethers.size(); ++i) {
         if (before[i] && !state.body.tether_alive[i]) {
             Event e;
@@ -254,8 +257,8 @@ void ledger_body(const Scene& scene, State& state) noexcept {
         }
         before[i] = state.body.tether_alive[i];
     }
-    if (state.substeps != state.last_substeps) {
-        state.last_substeps = state.substeps;
+    if (state.substeps != state.ledger.last_substeps) {
+        state.ledger.last_substeps = state.substeps;
         Event e;
         e.time_s = state.time_s;
         e.kind = EventKind::kSubsteps;
@@ -291,7 +294,7 @@ void update_ledger(const Scene& scene, State& state, std::span<const uint8_t> ac
         if (scene.heat) ledger_energy(scene, state, t, active[t] != 0, dt);
         ledger_force(scene, state, t, dt);
     }
-    for (float& pause : state.over_stretch_pause_s) {
+    for (float& pause : state.ledger.over_stretch_pause_s) {
         pause = std::max(0.0f, pause - static_cast<float>(dt));
     }
     ledger_phase(scene, state, dt);

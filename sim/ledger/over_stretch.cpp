@@ -12,7 +12,7 @@
 namespace placode::sim {
 
 void ledger_stretch(const Scene& scene, State& state) noexcept {
-    OverStretch& stretch = state.over_stretch;
+    OverStretch& stretch = state.ledger.over_stretch;
     stretch.catch_up(scene, state);
     const auto sums = stretch.take();
     for (size_t t = 0; t < sums.size(); ++t) {

@@ -103,8 +103,8 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
     out.phase = state.phase;
     out.cut_fraction = static_cast<float>(ring_share(state));
     out.vapour_rate_m3_s = state.vapour_rate_m3_s;
-    out.placode_peak_cem43_min = state.placode_peak_cem43_min;
-    out.placode_peak_c = state.placode_peak_c;
+    out.placode_peak_cem43_min = state.ledger.placode_peak_cem43_min;
+    out.placode_peak_c = state.ledger.placode_peak_c;
     out.step_flags = state.flags;
     out.substeps = state.substeps;
 }

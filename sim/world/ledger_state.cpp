@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Over-stretch as volume x time. Tets beside instruments are checked every frame, the others every
-// 64 frames: two checks in a row beyond the limit are 64 ms, so nothing shorter than kOverStretchS
-// can hide between them. The tail of a spell after its last check is left out.
+// What the ledger begins with, and over-stretch as volume x time. Tets beside instruments are
+// checked every frame, the others every 64 frames: two checks in a row beyond the limit are 64 ms,
+// so nothing shorter than kOverStretchS can hide between them. The tail of a spell after its last
+// check is left out.
 #include "sim/world/ledger_state.h"
 
 #include "sim/solver/topology.h"
@@ -56,6 +57,17 @@ std::array<OverStretch::Sum, kTissueCount> OverStretch::take() noexcept {
     const std::array<Sum, kTissueCount> taken = sum_;
     sum_ = {};
     return taken;
+}
+
+LedgerState::LedgerState(const Scene& scene)
+    : over_stretch(scene.body.tet_count(), scene.body.spec().solver.frame_s),
+      tether_known(scene.body.spec().tethers.size(), 1),
+      stretch_reported(scene.body.tet_count(), 0),
+      dose_reported(scene.body.vertex_count(), 0),
+      last_substeps(scene.body.spec().solver.substeps) {
+    if (scene.heat)
+        placode_peak_c = placode_now_c =
+            static_cast<float>(scene.heat->settings().body_temperature_c);
 }
 
 }  // namespace placode::sim

@@ -62,14 +62,10 @@ State::State(const Scene& scene, int threads)
       suturing(scene),
       held_by(scene.body.vertex_capacity(), -1),
       separation(scene),
-      over_stretch(scene.body.tet_count(), scene.body.spec().solver.frame_s),
+      ledger(scene),
       gone_by_heat(scene.body.tet_count(), 0),
-      tether_known(scene.body.spec().tethers.size(), 1),
       friction(scene.body.vertex_capacity()),
       stretch_count(scene.body.tet_count(), 0),
-      stretch_reported(scene.body.tet_count(), 0),
-      dose_reported(scene.body.vertex_count(), 0),
-      last_substeps(substeps),
       workers(std::make_unique<Workers>(threads)),
       scratch(std::make_unique<Scratch>(scene, &progress)) {
     sleep.follow_leaves(surface.tree(), scene.body.mesh());
@@ -89,8 +85,6 @@ State::State(const Scene& scene, int threads)
     }
     if (scene.heat) {
         heat.emplace_back(*scene.heat, scene.body.vertex_count(), scene.body.tet_count());
-        const auto start = static_cast<float>(scene.heat->settings().body_temperature_c);
-        placode_peak_c = placode_now_c = start;
     }
 }
 

@@ -58,23 +58,15 @@ struct State {
     int32_t slides = 0, slides_refused = 0;  ///< That blades asked for: blade_slides.h.
     std::vector<int8_t> held_by;             ///< (V) Tool whose jaws hold the vertex, -1 = none.
     CutProgress progress;
-    float placode_peak_cem43_min = 0, placode_peak_c = 37, placode_burned_m3 = 0;
     float removed_m3 = 0, vapour_rate_m3_s = 0;
     ContactColour colour;
     SeparationQueue separation;
     PieceFlood flood;
-    OverStretch over_stretch;
-    std::vector<uint8_t> gone_by_heat;      ///< (T) 1 = vaporised.
-    std::vector<uint8_t> tether_known;      ///< Alive, as far as the ledger knows.
-    std::vector<FrictionAnchor> friction;   ///< (V)
-    std::vector<uint8_t> stretch_count;     ///< (T) Checks in a row above the tear limit.
-    std::vector<uint8_t> stretch_reported;  ///< (T) 1 = over-stretch is in the ledger.
-    std::vector<uint8_t> dose_reported;  ///< (V) bit 0 warning dose, bit 1 injury is in the ledger.
-    std::array<float, kTissueCount> over_stretch_pause_s{};
-    float overheat_pause_s = 0, burn_pause_s = 0, idle_s = 0;
-    float placode_now_c = 37;  ///< Hottest vertex of the placode in this frame.
-    int last_substeps = 4;
-    uint32_t loose_version = 0;  ///< Surface version at the last search for loose tissue.
+    LedgerState ledger;
+    std::vector<uint8_t> gone_by_heat;     ///< (T) 1 = vaporised.
+    std::vector<FrictionAnchor> friction;  ///< (V)
+    std::vector<uint8_t> stretch_count;    ///< (T) Checks in a row above the tear limit.
+    uint32_t loose_version = 0;            ///< Surface version at the last search for loose tissue.
     std::array<Event, kMaxEventsPerFrame> events{};  ///< Of the last frame.
     int event_count = 0;
     uint32_t flags = 0;  ///< StepFlag bits of this frame.
@@ -89,18 +81,13 @@ template <class Visit>
 void fields(Of<State> auto& s, Visit&& visit) {
     auto& [frame, time_s, substeps, phase, body, sleep, surface, self_contact, sac, heat, tools,
            tool_side, grasps, scissors, suturing, release, resection, pieces, splits, slides,
-           slides_refused, held_by, progress, placode_peak_cem43_min, placode_peak_c,
-           placode_burned_m3, removed_m3, vapour_rate_m3_s, colour, separation, flood, over_stretch,
-           gone_by_heat, tether_known, friction, stretch_count, stretch_reported, dose_reported,
-           over_stretch_pause_s, overheat_pause_s, burn_pause_s, idle_s, placode_now_c,
-           last_substeps, loose_version, events, event_count, flags, workers, scratch] = s;
+           slides_refused, held_by, progress, removed_m3, vapour_rate_m3_s, colour, separation,
+           flood, ledger, gone_by_heat, friction, stretch_count, loose_version, events, event_count,
+           flags, workers, scratch] = s;
     visit.state(frame, time_s, substeps, phase, body, sleep, surface, self_contact, sac, heat,
                 tools, tool_side, grasps, scissors, suturing, release, resection, pieces, splits,
-                slides, slides_refused, held_by, progress, placode_peak_cem43_min, placode_peak_c,
-                placode_burned_m3, removed_m3, vapour_rate_m3_s, colour, separation, flood,
-                over_stretch, gone_by_heat, tether_known, friction, stretch_count, stretch_reported,
-                dose_reported, over_stretch_pause_s, overheat_pause_s, burn_pause_s, idle_s,
-                placode_now_c, last_substeps, loose_version);
+                slides, slides_refused, held_by, progress, removed_m3, vapour_rate_m3_s, colour,
+                separation, flood, ledger, gone_by_heat, friction, stretch_count, loose_version);
     // Of one frame; threads; lists of one frame.
     visit.constant(events, event_count, flags, workers, scratch);
 }

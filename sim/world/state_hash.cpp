@@ -31,7 +31,7 @@ class Hash : public FnvHash {
     }
 };
 
-void hash_tool(Hash& hash, const ToolState& t) noexcept {
+void hash_tool(Hash& hash, const ToolState& t, const ToolLedger& l) noexcept {
     hash.add(t.proxy);
     hash.add(t.hand);
     hash.add(t.force_n);
@@ -39,10 +39,10 @@ void hash_tool(Hash& hash, const ToolState& t) noexcept {
     hash.add(t.substep_stiffness_n_m);
     hash.add(t.substep_overlap_m);
     hash.add(t.spot);
-    hash.add(t.dwell_centre);
-    for (const float f : {t.contact_s, t.peak_force_n, t.energy_on_s, t.energy_j, t.air_s,
-                          t.dwell_s, t.placode_energised_s, t.over_force_s, t.contact_share,
-                          t.quiet_s, t.over_force_peak_n, t.energised_peak_c}) {
+    hash.add(l.dwell_centre);
+    for (const float f : {l.contact_s, l.peak_force_n, l.energy_on_s, l.energy_j, l.air_s,
+                          l.dwell_s, l.placode_energised_s, l.over_force_s, t.contact_share,
+                          l.quiet_s, l.over_force_peak_n, l.energised_peak_c}) {
         hash.add(f);
     }
     hash.add(t.power_in_tissue_w);
@@ -88,7 +88,8 @@ uint64_t state_hash(const State& state) noexcept {
             hash.add(heat.charred[v]);
         }
     }
-    for (const ToolState& tool : state.tools) hash_tool(hash, tool);
+    for (size_t t = 0; t < state.tools.size(); ++t)
+        hash_tool(hash, state.tools[t], state.ledger.tools[t]);
     for (const auto& row : state.tool_side) {
         for (const Vec3& side : row) hash.add(side);
     }
@@ -122,9 +123,9 @@ uint64_t state_hash(const State& state) noexcept {
     hash.all(state.progress.cut);
     hash.all(state.progress.column_left);
     hash.all(state.stretch_count);
-    hash.all(state.stretch_reported);
-    hash.all(state.dose_reported);
-    for (const float f : state.over_stretch_pause_s) hash.add(f);
+    hash.all(state.ledger.stretch_reported);
+    hash.all(state.ledger.dose_reported);
+    for (const float f : state.ledger.over_stretch_pause_s) hash.add(f);
     const ContactSet& contacts = state.scratch->contacts;
     for (int i = 0; i < contacts.vertex_count; ++i) {
         const FrictionAnchor& anchor = state.friction[contacts.vertices[i].vertex];
@@ -132,9 +133,10 @@ uint64_t state_hash(const State& state) noexcept {
         hash.add(anchor.slipping);
         for (const float f : anchor.anchor_T) hash.add(f);
     }
-    for (const float f : {state.placode_peak_cem43_min, state.placode_peak_c,
-                          state.placode_burned_m3, state.removed_m3, state.vapour_rate_m3_s,
-                          state.overheat_pause_s, state.burn_pause_s, state.idle_s}) {
+    for (const float f :
+         {state.ledger.placode_peak_cem43_min, state.ledger.placode_peak_c,
+          state.ledger.placode_burned_m3, state.removed_m3, state.vapour_rate_m3_s,
+          state.ledger.overheat_pause_s, state.ledger.burn_pause_s, state.ledger.idle_s}) {
         hash.add(f);
     }
     return hash.value();

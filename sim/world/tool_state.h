@@ -21,10 +21,6 @@ struct ToolState {
     double tip_gap_m = 1;  ///< Signed distance of the tip to the surface, negative inside.
     Tissue touched = Tissue::kSkin;  ///< Tissue next to the tip, valid when in_contact.
     uint8_t in_contact = 0, energised = 0;
-    float contact_s = 0, peak_force_n = 0;           ///< Current placode contact.
-    float energy_on_s = 0, energy_j = 0, air_s = 0;  ///< Current activation.
-    float dwell_s = 0, placode_energised_s = 0, over_force_s = 0;
-    Vec3 dwell_centre = Vec3::Zero();
     double power_in_tissue_w = 0;  ///< Delivered in the last frame.
 
     Pose hand;  ///< Where the hand held it at the end of the last frame.
@@ -43,26 +39,19 @@ struct ToolState {
                        ///< the contact margin.
     float contact_share = 1;  ///< Share of the contact force that is let through: small while the
                               ///< needle cuts, and rising after it or after the hand came back.
-    float quiet_s = 0;        ///< Placode: time since the last contact (debounce).
-    float over_force_peak_n = 0, energised_peak_c = 0;
     float jaw_rad = 0;
     uint8_t pedals = 0, engaged = 0, coagulating = 0;
 };
 template <class Visit>
 void fields(Of<ToolState> auto& s, Visit&& visit) {
     auto& [proxy, previous, force_n, steel_n, needle_n, friction_anchor, tip_gap_m, touched,
-           in_contact, energised, contact_s, peak_force_n, energy_on_s, energy_j, air_s, dwell_s,
-           placode_energised_s, over_force_s, dwell_centre, power_in_tissue_w, hand, stiffness_n_m,
-           substep_force_n, substep_stiffness_n_m, substep_overlap_m, bare_gap_m, spot, rest_spot,
-           spot_tet, placode_force_n, gap_m, contact_share, quiet_s, over_force_peak_n,
-           energised_peak_c, jaw_rad, pedals, engaged, coagulating] = s;
+           in_contact, energised, power_in_tissue_w, hand, stiffness_n_m, substep_force_n,
+           substep_stiffness_n_m, substep_overlap_m, bare_gap_m, spot, rest_spot, spot_tet,
+           placode_force_n, gap_m, contact_share, jaw_rad, pedals, engaged, coagulating] = s;
     visit.state(proxy, previous, force_n, steel_n, needle_n, friction_anchor, tip_gap_m, touched,
-                in_contact, energised, contact_s, peak_force_n, energy_on_s, energy_j, air_s,
-                dwell_s, placode_energised_s, over_force_s, dwell_centre, power_in_tissue_w, hand,
-                stiffness_n_m, substep_force_n, substep_stiffness_n_m, substep_overlap_m,
-                bare_gap_m, spot, rest_spot, spot_tet, placode_force_n, gap_m, contact_share,
-                quiet_s, over_force_peak_n, energised_peak_c, jaw_rad, pedals, engaged,
-                coagulating);
+                in_contact, energised, power_in_tissue_w, hand, stiffness_n_m, substep_force_n,
+                substep_stiffness_n_m, substep_overlap_m, bare_gap_m, spot, rest_spot, spot_tet,
+                placode_force_n, gap_m, contact_share, jaw_rad, pedals, engaged, coagulating);
 }
 
 /// Where a vertex sticks to an instrument (dry friction has a memory).
