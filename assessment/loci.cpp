@@ -24,7 +24,7 @@ using sim::Event;
 using sim::EventKind;
 
 /// Which of several events to show.
-enum class Show : uint8_t { kFirst, kLast, kLongest, kStrongest };
+enum class Show : uint8_t { kFirst, kLast, kLongest, kStrongest, kWeakest };
 
 struct EventSource {
     std::string_view metric;
@@ -59,6 +59,7 @@ constexpr EventSource kSources[]{
     {"target_error_mm", sim::EventKind::kTargetTouched, Show::kStrongest, false},
     {"steps_done_percent", sim::EventKind::kStepDone, Show::kLast, false},
     {"traction_held_s", sim::EventKind::kTractionHeld, Show::kLast, false},
+    {"draw_pull_least_mn", sim::EventKind::kThreadDrawn, Show::kWeakest, false},
     {"over_traction_count", EventKind::kOverTraction, Show::kStrongest, true},
     {"bite_entry_offset_mm", EventKind::kBiteEntry, Show::kLast, false},
     {"bite_exit_offset_mm", EventKind::kBiteExit, Show::kLast, false},
@@ -90,7 +91,8 @@ Locus locate_events(const EventSource& source, const sim::Recording& recording) 
         ++locus.count;
         const bool better = best == nullptr || source.show == Show::kLast ||
                             (source.show == Show::kLongest && event.value > best->value) ||
-                            (source.show == Show::kStrongest && event.value2 > best->value2);
+                            (source.show == Show::kStrongest && event.value2 > best->value2) ||
+                            (source.show == Show::kWeakest && event.value2 < best->value2);
         if (better) best = &event;
     }
     if (best != nullptr) use_event(locus, *best, source.lasts);

@@ -336,6 +336,9 @@ constexpr MetricDefinition kMetrics[] = {
      "95th percentile of that distance, over stretches of 5 degrees.", "Placode"},
     {"traction_held_s", "Traction held", "s", kHigherIsBetter,
      "Time during which both hands pulled within the task's limits.", "Placode"},
+    {"draw_pull_least_mn", "Pull on the thread, loosest bite", "mN", kHigherIsBetter,
+     "Hardest pull on the thread while the slit was shut, of the bite where it was least.",
+     "Placode"},
 };
 
 }  // namespace

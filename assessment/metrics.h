@@ -14,8 +14,8 @@
 
 namespace placode::assessment {
 
-/// 12: a slit under pressure.
-inline constexpr int kMetricSetVersion = 12;
+/// 12: a slit under pressure. 13: how hard a thread was drawn.
+inline constexpr int kMetricSetVersion = 13;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "assessment/closure.h"
 #include "assessment/statistics.h"
 
 namespace placode::assessment {
@@ -19,6 +20,7 @@ constexpr double kNearSurfaceM = 0.001;  // a tip this near follows the line
 constexpr double kNotThisLineM = 0.003;  // further off it does not follow this line at all
 constexpr int kBinsEnough = 69;          // of 72: the last ones meet the first
 constexpr double kTakenWithin = 0.15;    // of the needle's arc
+constexpr double kEasedShare = 0.5;      // of a pull that is enough: below it the hand gave way
 constexpr double kTractionReachM = 0.005;
 constexpr double kAlongShaft =
     0.85;  // share of a motion that makes it one of depth: within 32 degrees
@@ -88,10 +90,12 @@ void PracticeTracker::emit(sim::EventKind kind, double value, double value2, int
 }
 
 void PracticeTracker::advance(double time_s) noexcept {
+    if (step().kind == PracticeKind::kThreadDraw && step().enough_n > 0)
+        emit(sim::EventKind::kThreadDrawn, index_, peak_n_, -1, sim::Vec3::Zero());
     emit(sim::EventKind::kStepDone, index_, time_s - began_s_, -1, sim::Vec3::Zero());
     ++index_;
     began_s_ = time_s;
-    progress_ = amount_ = held_s_ = peak_n_ = 0;
+    progress_ = amount_ = held_s_ = enough_s_ = peak_n_ = 0;
     has_last_ = open_ = false;
     touched_ = true;  // a touch that goes on from the step before is none of this one
     traced_.fill(0);
@@ -335,6 +339,17 @@ bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
     return through || (kind == PracticeKind::kNeedleTake && taken && there);
 }
 
+/// Whoever has held enough for a while and eases off has drawn as much as they wanted to.
+bool PracticeTracker::eased_off(double slit_gap_m, double pull_n) noexcept {
+    const double enough_n = step().enough_n;
+    if (enough_n <= 0) return false;
+    const bool shut = slit_gap_m <= std::max(step().tolerance_m, kShutM);
+    if (shut) peak_n_ = std::max(peak_n_, pull_n);
+    enough_s_ = shut && pull_n >= enough_n ? enough_s_ + dt_ : 0;
+    open_ = open_ || enough_s_ >= step().hold_s;
+    return open_ && pull_n < kEasedShare * enough_n;
+}
+
 /// Shut for a while, under as much pull as the step wants: edges that only swing together come
 /// apart again, and thread gives a little when it is let go.
 bool PracticeTracker::did_draw(double slit_gap_m, double pull_n) noexcept {
@@ -346,7 +361,8 @@ bool PracticeTracker::did_draw(double slit_gap_m, double pull_n) noexcept {
     progress_ = !shut  ? half * std::clamp((amount_ - slit_gap_m) / way, 0.0, 1.0)
                 : taut ? 1
                        : half + half * pull_n / step().low_n;
-    return shut && taut && held_s_ >= step().hold_s;
+    const bool eased = eased_off(slit_gap_m, pull_n);
+    return (shut && taut && held_s_ >= step().hold_s) || eased;
 }
 
 void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
@@ -355,6 +371,7 @@ void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& 
     std::vector<double> errors, offsets;
     std::array<bool, sim::kTraceBins> traced{};
     double held = 0;
+    std::optional<double> loosest_n;
     for (const sim::Event& e : recording.events) {
         if (e.kind == sim::EventKind::kPracticeSteps) steps = static_cast<int>(e.value);
         if (e.kind == sim::EventKind::kStepDone) ++done;
@@ -363,6 +380,10 @@ void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& 
         if (e.kind == sim::EventKind::kTractionHeld) {
             held += e.value;
             pulls = true;
+        }
+        if (e.kind == sim::EventKind::kThreadDrawn) {
+            const auto pull_n = static_cast<double>(e.value2);
+            loosest_n = std::min(loosest_n.value_or(pull_n), pull_n);
         }
         if (e.kind == sim::EventKind::kTraced) {
             traces = true;
@@ -391,6 +412,7 @@ void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& 
         out.push_back({"trace_error_p95_mm", quantile(offsets, 0.95) * 1e3});
     }
     if (pulls) out.push_back({"traction_held_s", held});
+    if (loosest_n) out.push_back({"draw_pull_least_mn", 1e3 * *loosest_n});
 }
 
 }  // namespace placode::assessment

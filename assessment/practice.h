@@ -81,6 +81,7 @@ class PracticeTracker {
     [[nodiscard]] bool did_trace(const sim::ToolSample& tool, int index, double time_s) noexcept;
     [[nodiscard]] bool did_traction(const PracticeSight& sight) noexcept;
     [[nodiscard]] bool did_bite(const PracticeSight& sight, int tool) noexcept;
+    [[nodiscard]] bool eased_off(double slit_gap_m, double pull_n) noexcept;
     [[nodiscard]] bool did_draw(double slit_gap_m, double pull_n) noexcept;
     void close_bin(int tool, double time_s) noexcept;
     void close_traction(double time_s) noexcept;
@@ -90,7 +91,8 @@ class PracticeTracker {
     std::vector<ClosedContour> contour_;  // empty or one
     double dt_ = 0.01;
     int index_ = 0;
-    double progress_ = 0, began_s_ = 0, now_s_ = 0, amount_ = 0, held_s_ = 0, peak_n_ = 0;
+    double progress_ = 0, began_s_ = 0, now_s_ = 0, amount_ = 0, held_s_ = 0, enough_s_ = 0,
+           peak_n_ = 0;
     bool started_ = false, has_last_ = false, touched_ = false, open_ = false;
     int last_tool_ = -1;
     sim::ToolSample last_;

@@ -123,8 +123,11 @@ TaskStep read_task_step(const Json& json, const std::string& origin, const std::
     if (goal.kind == sim::PracticeKind::kThreadDraw) goal.low_n = 0;
     goal.low_n = json.value("low_n", goal.low_n);
     goal.high_n = json.value("high_n", goal.high_n);
+    goal.enough_n = json.value("enough_n", goal.enough_n);
     if (goal.low_n >= goal.high_n)
         throw DefinitionError(origin, pointer + "/low_n", "must be below high_n");
+    if (goal.enough_n > 0 && goal.enough_n >= goal.low_n)
+        throw DefinitionError(origin, pointer + "/enough_n", "must be below low_n");
     step.text = local_text(json["text"]);
     fill_hold(step.text.en, goal.hold_s, '.');
     fill_hold(step.text.pl, goal.hold_s, ',');

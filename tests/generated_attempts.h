@@ -182,6 +182,8 @@ class AttemptMaker {
                     y);
             } else if (kind == PracticeKind::kNeedleThrough) {
                 put(recording, EventKind::kNeedleThrough, time_s, 0, 0, kRowX, y);
+            } else if (kind == PracticeKind::kThreadDraw) {
+                put(recording, EventKind::kThreadDrawn, time_s, s, 0.15, kRowX, y);
             }
         }
     }

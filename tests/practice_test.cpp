@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "assessment/loci.h"
 #include "assessment/metrics.h"
 
 namespace placode::assessment {
@@ -325,6 +326,67 @@ TEST(Practice, ThreadIsDrawnAsHardAsTheStepWants) {
     attempt.slit_gap_m = 0;
     attempt.see(32);
     EXPECT_TRUE(attempt.tracker().done());
+}
+
+PracticeStep drawn_by_choice() {
+    return {.kind = PracticeKind::kThreadDraw,
+            .hold_s = 0.3,
+            .tolerance_m = 0.0002,
+            .low_n = 0.12,
+            .high_n = 0.25,
+            .enough_n = 0.04};
+}
+
+TEST(Practice, WhoEasesOffAfterAFairPullHasDrawnTheThreadAndIsToldHowHard) {
+    Attempt attempt({drawn_by_choice(), drawn_by_choice(), drawn_by_choice()});
+    attempt.slit_gap_m = 0.001;
+    attempt.see();
+    attempt.slit_gap_m = 0.0001;
+    attempt.tool(0).force_n = {0, 0.06F, 0};
+    attempt.see(20);
+    attempt.tool(0).force_n = {0, 0.01F, 0};
+    attempt.see(5);
+    EXPECT_EQ(attempt.tracker().index(), 0) << "a jerk is no pull";
+    attempt.tool(0).force_n = {0, 0.07F, 0};
+    attempt.see(200);
+    EXPECT_EQ(attempt.tracker().index(), 0) << "it goes on as long as the hand pulls";
+    attempt.tool(0).force_n = {0, 0.03F, 0};
+    attempt.see(5);
+    EXPECT_EQ(attempt.tracker().index(), 0) << "a hand that trembles has not let go";
+    attempt.tool(0).force_n = {0, 0.019F, 0};
+    attempt.see();
+    EXPECT_EQ(attempt.tracker().index(), 1);
+    attempt.tool(0).force_n = {0, 0.15F, 0};
+    attempt.see(32);
+    EXPECT_EQ(attempt.tracker().index(), 2) << "as hard as is aimed at: nothing to wait for";
+    EXPECT_NEAR(*attempt.metrics().find("draw_pull_least_mn"), 70, 1e-3);
+    const Locus loosest = locate("draw_pull_least_mn", 120, attempt.recording);
+    EXPECT_EQ(loosest.count, 2);
+    EXPECT_LT(loosest.time_s, 3);
+
+    attempt.slit_gap_m = 0.001;  // pulled hard, and open: that shuts nothing
+    attempt.see(50);
+    attempt.tool(0).force_n = {0, 0, 0};
+    attempt.see(50);
+    EXPECT_EQ(attempt.tracker().index(), 2);
+}
+
+TEST(Practice, ADrawWithoutAChoiceTellsNothingNew) {
+    // Recordings of tasks that lack it are replayed, and compared event by event.
+    Attempt attempt(
+        {{.kind = PracticeKind::kThreadDraw, .hold_s = 0.3, .tolerance_m = 0.0002, .low_n = 0.1}});
+    attempt.slit_gap_m = 0;
+    attempt.tool(0).force_n = {0, 0.09F, 0};
+    attempt.see(50);
+    attempt.tool(0).force_n = {0, 0, 0};
+    attempt.see(50);
+    EXPECT_FALSE(attempt.tracker().done());
+    attempt.tool(0).force_n = {0, 0.11F, 0};
+    attempt.see(32);
+    EXPECT_TRUE(attempt.tracker().done());
+    for (const sim::Event& e : attempt.recording.events)
+        EXPECT_NE(e.kind, sim::EventKind::kThreadDrawn);
+    EXPECT_FALSE(attempt.metrics().find("draw_pull_least_mn"));
 }
 
 TEST(Practice, ABiteIsMeasuredFromItsMarksAndMayBeginAnew) {

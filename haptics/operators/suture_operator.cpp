@@ -26,12 +26,13 @@ constexpr int kMostMisses = 4;      // of the jaws, before it gives up
 constexpr int kMostRetries = 2;     // of a bite that does not come out
 constexpr double kDrawM_s = 0.015;  // of slack thread
 constexpr double kTautN = 0.02;     // from here on the thread pulls
+constexpr double kContentS = 0.4;   // of a pull, before it eases off
 
 }  // namespace
 
 const SutureHabits& suture_habits(OperatorLevel level) noexcept {
     static const std::array habits{SutureHabits{},
-                                   SutureHabits{5e-3, 4e-4, 0.06, 0, 2.6e-3, 2e-3, 0.25},
+                                   SutureHabits{5e-3, 4e-4, 0.06, 0, 2.6e-3, 2e-3, 0.25, 0.09},
                                    SutureHabits{9e-3, 9e-4, 0.15, 1, 2.6e-3, 4e-3, 0.28}};
     return habits[static_cast<size_t>(level)];
 }
@@ -50,7 +51,7 @@ void SutureOperator::see(const Perception& seen) { seen_ = seen; }
 
 void SutureOperator::stage(Stage next) noexcept {
     stage_ = next;
-    stage_s_ = strained_s_ = 0;
+    stage_s_ = strained_s_ = content_s_ = 0;
 }
 
 bool SutureOperator::too_hard() const noexcept {
@@ -212,14 +213,22 @@ void SutureOperator::leave(double dt_s) noexcept {
         next_bite();
 }
 
-/// Back along the shaft, until the task says that the slit is shut.
+/// Back along the shaft, until the task says that the slit is shut, or this hand finds it so and
+/// gives way.
 void SutureOperator::draw(const Plane& p, double dt_s) noexcept {
     if (seen_.practice.step.kind != sim::PracticeKind::kThreadDraw) {
         next_bite();
         return;
     }
     if (too_hard()) return;
-    const double speed = seen_.tools[tool_].force_n.norm() > kTautN ? habits_.taut_m_s : kDrawM_s;
+    const double pull_n = seen_.tools[tool_].force_n.norm();
+    const double content_n = seen_.practice.step.enough_n > 0 ? habits_.content_n : 0;
+    if (content_s_ > 0 || (content_n > 0 && pull_n >= content_n)) content_s_ += dt_s;
+    double speed = pull_n > kTautN ? habits_.taut_m_s : kDrawM_s;
+    if (content_s_ >= kContentS)
+        speed = -habits_.taut_m_s;
+    else if (content_s_ > 0)
+        speed = 0;  // holds it
     static_cast<void>(hand_.glide(hand_.tip_m() - speed * dt_s * p.shaft, 0.05, dt_s));
 }
 

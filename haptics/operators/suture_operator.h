@@ -21,6 +21,7 @@ struct SutureHabits {
     double out_m = 2.6e-3;      ///< Of the point, before it lets go.
     double taut_m_s = 1.5e-3;   ///< Of the thread, once it pulls.
     double most_pull_n = 0.2;   ///< Harder it does not pull or push.
+    double content_n = 0;       ///< Pull that a draw ends with; 0 = as much as the task wants.
 };
 [[nodiscard]] const SutureHabits& suture_habits(OperatorLevel level) noexcept;
 
@@ -82,6 +83,7 @@ class SutureOperator final : public ScriptedOperator {
     Vec3 centre_ = Vec3::Zero(), across_ = Vec3::Zero(), goal_ = Vec3::Zero();
     double time_s_ = 0, stage_s_ = 0, radius_m_ = 0;
     double strained_s_ = 0;  ///< Since it pulls as hard as it does at most.
+    double content_s_ = 0;   ///< Since it pulls as hard as it wants to.
     double entry_rad_ = 0;   ///< Where the circle meets the tissue, of the point.
     double point_rad_ = 0;   ///< Where the point is.
     double held_rad_ = 0;    ///< Held this far behind it.

@@ -93,6 +93,8 @@ std::string_view event_name(EventKind kind) noexcept {
             return "bite_exit";
         case EventKind::kBiteMark:
             return "bite_mark";
+        case EventKind::kThreadDrawn:
+            return "thread_drawn";
         case EventKind::kTuned:
             return "tuned";
         case EventKind::kStretchSum:

@@ -68,6 +68,8 @@ enum class EventKind : uint16_t {
     kBiteMark = 68,       ///< a bite of several is next: value = its step, value2 = 0 where the
                           ///< needle is to go in, 1 where out (one event each), place = the mark,
                           ///< element = number of the bite, from 0
+    kThreadDrawn = 69,    ///< a thread was drawn, where the step has `enough_n`: value = step,
+                          ///< value2 = hardest pull while the slit was shut [N]
     // Live tuning (sim/step/live_tuning.h).
     kTuned = 70,  ///< value = the new value, element = TuneParameter, tissue = which one, hash =
                   ///< frame before which it was done

@@ -50,6 +50,9 @@ struct PracticeStep {
     double take_share = 0;  ///< Needle taken about here along its arc, from the point; 0: anywhere.
     double low_n = 0.01,
            high_n = 0.1;  ///< Traction of each hand; pull on a thread, from 0 or more.
+    /// Thread: whoever held this much [N] for `hold_s` and then eases off has drawn it, too loosely
+    /// or not, where the edges met. 0 = only `low_n` ends the step.
+    double enough_n = 0;
 };
 
 /// Where practice stands: what a person sees in the overlay.

@@ -210,6 +210,9 @@ namespace {
                       "95th percentile of that distance, over stretches of 5 degrees."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Time during which both hands pulled within the task's limits."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Hardest pull on the thread while the slit was shut, of the bite where it was least."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Times that the thread cut through the edge of its channel."),
     QT_TRANSLATE_NOOP(

@@ -124,6 +124,7 @@ namespace {
     QT_TRANSLATE_NOOP("Metric", "Distance from the line"),
     QT_TRANSLATE_NOOP("Metric", "Distance from the line, 95th percentile"),
     QT_TRANSLATE_NOOP("Metric", "Traction held"),
+    QT_TRANSLATE_NOOP("Metric", "Pull on the thread, loosest bite"),
     QT_TRANSLATE_NOOP("Metric", "Smoothness (LDLJ-V)"),
     QT_TRANSLATE_NOOP("Metric", "Placode released"),
     QT_TRANSLATE_NOOP("Metric", "Placode cut by scissors"),

@@ -2492,6 +2492,10 @@
         <translation>Utrzymane napięcie</translation>
     </message>
     <message>
+        <source>Pull on the thread, loosest bite</source>
+        <translation>Naciąg nici, najluźniejszy ścieg</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>Czas</translation>
     </message>
@@ -3424,6 +3428,10 @@
     <message>
         <source>Time during which both hands pulled within the task's limits.</source>
         <translation>Czas, w którym obie ręce ciągnęły w granicach zadania.</translation>
+    </message>
+    <message>
+        <source>Hardest pull on the thread while the slit was shut, of the bite where it was least.</source>
+        <translation>Największa siła, z jaką ciągnięto nić, gdy rozcięcie było zamknięte: w ściegu, w którym była najmniejsza.</translation>
     </message>
     <message>
         <source>Share of the marked volume that burned, tore or was washed away as crumbs.</source>
