@@ -201,12 +201,13 @@ endfunction()
 # The four programs. ui/shell is a library as well, so that tests can drive the real windows.
 function(placode_ui_programs)
   placode_version()
+  placode_library(diagnostics FOLDERS ui/diagnostics LINK placode_version)
   file(GLOB shell_sources CONFIGURE_DEPENDS ui/shell/*.cpp ui/shell/*.h)
   list(FILTER shell_sources EXCLUDE REGEX "ui/shell/main\\.cpp$")
   add_library(placode_shell STATIC ${shell_sources})
   set_target_properties(placode_shell PROPERTIES AUTOMOC ON AUTORCC ON LINKER_LANGUAGE CXX
     AUTOGEN_ORIGIN_DEPENDS OFF)
-  target_link_libraries(placode_shell PUBLIC placode_reports Qt6::Widgets Qt6::PrintSupport)
+  target_link_libraries(placode_shell PUBLIC placode_reports placode_diagnostics Qt6::Widgets Qt6::PrintSupport)
   placode_precompile(placode_shell <QApplication> <QCheckBox> <QComboBox> <QDateTime> <QFile> <QGridLayout> <QHBoxLayout>
     <QHeaderView> <QLabel> <QLineEdit> <QMainWindow> <QMessageBox> <QPainter> <QPlainTextEdit> <QPointer> <QProcess>
     <QPushButton> <QRegularExpression> <QScrollArea> <QTableWidget> <QTimer> <QToolButton> <QVBoxLayout>)
@@ -232,7 +233,7 @@ function(placode_ui_programs)
   add_library(placode_attempt STATIC ${attempt_sources})
   target_link_libraries(placode_attempt PUBLIC placode_view placode_db placode_version CLI11::CLI11 PRIVATE PkgConfig::OPENAL)
   placode_precompile(placode_attempt <CLI/CLI.hpp> <nlohmann/json.hpp> <Eigen/Dense>)
-  placode_program(placode-sim SOURCES ui/attempt/main.cpp LINK placode_attempt placode_version)
+  placode_program(placode-sim SOURCES ui/attempt/main.cpp LINK placode_attempt placode_diagnostics placode_version)
   # Learning platforms, for the portal and the command line.
   placode_library(lti FOLDERS ui/lti LINK placode_db nlohmann_json::nlohmann_json PkgConfig::HTTPLIB OpenSSL::Crypto
     PRECOMPILE <QString> <nlohmann/json.hpp>)
@@ -252,7 +253,7 @@ function(placode_ui_programs)
   file(GLOB review_scripts CONFIGURE_DEPENDS ui/web/review/*.js)
   qt_add_resources(placode_web placode_web_review PREFIX /web BASE ${PROJECT_SOURCE_DIR}/ui/web FILES ${review_scripts})
   qt_add_resources(placode_web placode_web_polish PREFIX /i18n BASE ${CMAKE_CURRENT_BINARY_DIR}/web FILES ${polish})
-  placode_program(placode-web SOURCES ui/web/main.cpp LINK placode_web placode_version CLI11::CLI11)
+  placode_program(placode-web SOURCES ui/web/main.cpp LINK placode_web placode_diagnostics placode_version CLI11::CLI11)
   placode_optimise_little(placode_shell placodectl placode_lti placode_web)
   placode_several_at_once(placode_shell placode_attempt placode_web placodectl)
   placode_precompile(placodectl <CLI/CLI.hpp> <nlohmann/json.hpp> <iostream>)

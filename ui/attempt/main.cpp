@@ -17,6 +17,7 @@
 #include "haptics/pedal_watch.h"
 #include "haptics/real_time.h"
 #include "ui/attempt/sessions.h"
+#include "ui/diagnostics/crash_report.h"
 #include "ui/view/gl_program.h"
 
 namespace placode::ui {
@@ -104,6 +105,11 @@ int run_attempt(const Arguments& arguments, StatusLine& status) {
     if (!arguments.record.empty())
         sink = db::create_recording_file(arguments.record, arguments.order);
     const bool has_ring = task.steps.empty();
+    // Of a device its kind only: what follows may be a path.
+    log_note("attempt_began",
+             {LogField::id("task", task.id),
+              LogField::id("device", arguments.device.substr(0, arguments.device.find(':'))),
+              {"threads", arguments.threads}});
     curriculum::AttemptRunner runner(std::move(task), arguments.seed, options, std::move(sink));
     if (arguments.headless) {
         run_headless(runner, arguments, status);
@@ -112,6 +118,8 @@ int run_attempt(const Arguments& arguments, StatusLine& status) {
     }
     runner.wait();
     const sim::RecordingEnd end = runner.end();
+    log_note("attempt_ended", {{"reason", static_cast<int>(end.reason)},
+                               {"seconds", static_cast<int64_t>(end.duration_s)}});
     curriculum::AttemptStatus last = runner.status();
     const std::string certificate = runner.haptic_certificate();
     if (!arguments.record.empty() && last.warning.empty())
@@ -139,6 +147,7 @@ int run(int argc, char** argv) {
     if (arguments.list_presets) return list_presets();
     if (arguments.limits_file) return print_file(haptics::limits_file());
     if (arguments.station_file) return print_file(haptics::Station::of_this_computer().file_text());
+    begin_diagnostics("placode-sim");
     catch_stop_signals();
     if (!arguments.test_device.empty()) return run_device_test(arguments);
     StatusLine status(arguments.status);
@@ -152,6 +161,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     const auto complain = [](const std::exception& error, int status) {
         std::fprintf(stderr, "placode-sim: %s\n", error.what());
+        placode::ui::log_note("failed", {{"exit_status", status}});
         return status;
     };
     try {

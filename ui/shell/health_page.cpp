@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "ui/shell/details.h"
+#include "ui/shell/diagnostics_dialog.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -23,6 +24,7 @@ class HealthPage : public Page {
         column->addWidget(make_label(tr("Backup and health"), "display"));
         column->addWidget(checkCard());
         column->addWidget(backupCard());
+        column->addWidget(programsCard());
         column->addStretch();
     }
 
@@ -140,6 +142,22 @@ class HealthPage : public Page {
                     Q_EMIT written(tr("Backup written: %1").arg(path), path);
                 });
             });
+    }
+
+    QWidget* programsCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        layout->addWidget(make_label(tr("The programs on this computer"), "heading"));
+        layout->addWidget(make_label(
+            tr("What started, ended and failed here, without names or results. Read it before you "
+               "send it to whoever looks for a fault."),
+            "muted"));
+        QPushButton* show = make_button(context_, tr("Log and crash reports"), "secondary");
+        show->setObjectName("show_diagnostics");
+        connect(show, &QPushButton::clicked, this,
+                [this] { show_diagnostics(context_, window()); });
+        layout->addWidget(show, 0, Qt::AlignLeft);
+        return make_card(layout);
     }
 
     QLabel *outcome_ = nullptr, *last_ = nullptr;

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "sim/core/near_word.h"
+#include "ui/diagnostics/crash_report.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/page_tour.h"
 #include "ui/shell/store_address.h"
@@ -147,6 +148,7 @@ int main(int argc, char** argv) {
     options.store_url = parser.value("store").toStdString();
     options.language = parser.value("language");
     options.theme = parser.value("theme");
+    placode::ui::begin_diagnostics("placode");
     placode::ui::AppContext context(options);
     placode::ui::MainWindow window(context);
     show_on_screen(
@@ -154,5 +156,7 @@ int main(int argc, char** argv) {
     window.begin();
     if (parser.isSet("time-pages"))
         return placode::ui::measure_pages(context, window, parser.value("time-pages"));
-    return QApplication::exec();
+    const int status = QApplication::exec();
+    placode::ui::log_note("ended", {{"exit_status", status}});
+    return status;
 }

@@ -8,6 +8,7 @@
 #include <QShortcut>
 #include <QToolButton>
 
+#include "ui/shell/diagnostics_dialog.h"
 #include "ui/shell/handover.h"
 #include "ui/shell/help_window.h"
 #include "ui/shell/parts.h"
@@ -98,6 +99,7 @@ void MainWindow::onUserChanged() {
     locked_user_ = 0;
     showPlace(back ? locked_place_ : lastPlace());
     offerLeftovers();
+    if (!handedOver()) offer_crash_report(context_, *notices_, this);
     context_.verifyAttempts();  // What the last session did not come to.
 }
 

@@ -4,6 +4,7 @@
 #include <QFile>
 #include <memory>
 
+#include "ui/diagnostics/program_log.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/parts.h"
 
@@ -30,6 +31,9 @@ void MainWindow::leaveRunning(const AttemptOrder& order) {
 
 void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
     updateFrame();
+    log_note("simulator_ended", {{"exit_status", ending.exit_code},
+                                 {"crashed", ending.crashed ? 1 : 0},
+                                 {"asked", ending.asked ? 1 : 0}});
     const bool waiting = place_.page == PageId::kRunning;
     // Exit status 2 before the first frame: bad input, e.g. a device that is not there.
     const bool never_began =

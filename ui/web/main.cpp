@@ -19,6 +19,7 @@
 #include "curriculum/utc_time.h"
 #include "db/reading_store.h"
 #include "db/store_url.h"
+#include "ui/diagnostics/crash_report.h"
 #include "ui/lti/settings.h"
 #include "ui/lti/web_token.h"
 #include "ui/usage_message.h"
@@ -123,6 +124,7 @@ int serve(const Options& options) {
     portal.behind_tls = options.behind_tls;
     portal.review_bytes = static_cast<size_t>(options.review_mib) << 20;
     portal.log = log;
+    ui::begin_diagnostics("placode-web");
     const sigset_t set = endings();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);  // Before any thread is made: they inherit it.
     try {
@@ -143,6 +145,7 @@ int serve(const Options& options) {
         sigwait(&set, &which);
         server.stop();
         listener.join();
+        ui::log_note("ended");
     } catch (const std::exception& error) {
         return fail(1, std::string("--listen: ") + error.what());
     }

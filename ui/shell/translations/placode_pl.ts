@@ -1987,7 +1987,82 @@
     </message>
 </context>
 <context>
+    <name>DiagnosticsDialog</name>
+    <message>
+        <source>Log and crash reports</source>
+        <translation>Dziennik programów i raporty awarii</translation>
+    </message>
+    <message>
+        <source>They lie on this computer only, and nobody gets them unless you send them. They hold no names, log-ins or results: which program started, ended or failed, and where in the program.</source>
+        <translation>Leżą tylko na tym komputerze i nikt ich nie dostanie, jeśli ich nie wyślesz. Nie zawierają nazwisk, loginów ani wyników: tylko to, który program się uruchomił, zakończył lub zawiódł i w którym swoim miejscu.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Pokaż</translation>
+    </message>
+    <message>
+        <source>What was written</source>
+        <translation>Co zapisano</translation>
+    </message>
+    <message>
+        <source>Delete this report</source>
+        <translation>Usuń ten raport</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Zapisz kopię</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>Crash of %1, %2</source>
+        <translation>Awaria programu %1, %2</translation>
+    </message>
+    <message>
+        <source>Log of the programs</source>
+        <translation>Dziennik programów</translation>
+    </message>
+    <message>
+        <source>Nothing was written yet.</source>
+        <translation>Nic jeszcze nie zapisano.</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Tekst (*.txt)</translation>
+    </message>
+    <message>
+        <source>The copy could not be written.</source>
+        <translation>Nie udało się zapisać kopii.</translation>
+    </message>
+    <message>
+        <source>Choose another folder, or make room on the disk.</source>
+        <translation>Wybierz inny folder albo zwolnij miejsce na dysku.</translation>
+    </message>
+    <message>
+        <source>%1 crashed on %2. What it wrote about that is on this computer.</source>
+        <translation>Program %1 uległ awarii: %2. Jego raport jest na tym komputerze.</translation>
+    </message>
+    <message>
+        <source>Read the report</source>
+        <translation>Przeczytaj raport</translation>
+    </message>
+</context>
+<context>
     <name>HealthPage</name>
+    <message>
+        <source>The programs on this computer</source>
+        <translation>Programy na tym komputerze</translation>
+    </message>
+    <message>
+        <source>What started, ended and failed here, without names or results. Read it before you send it to whoever looks for a fault.</source>
+        <translation>Co się tu uruchomiło, zakończyło i zawiodło, bez nazwisk i wyników. Przeczytaj, zanim wyślesz to komuś, kto szuka błędu.</translation>
+    </message>
+    <message>
+        <source>Log and crash reports</source>
+        <translation>Dziennik programów i raporty awarii</translation>
+    </message>
     <message>
         <source>Placode&apos;s log-in to the server can change scores and the audit list. Give each station a log-in of its own: see the chapter &quot;A store for several stations&quot;.</source>
         <translation>Login Placode do serwera może zmieniać wyniki i dziennik. Daj każdemu stanowisku własny login: zobacz rozdział „Jedna baza dla kilku stanowisk”.</translation>

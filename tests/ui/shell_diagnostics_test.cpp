@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A simulator that crashes leaves a report, and its reader sees all of it before anybody else.
+
+#include <signal.h>
+
+#include <QDialog>
+#include <QFile>
+#include <QPlainTextEdit>
+#include <QProcess>
+
+#include "shell_harness.h"
+#include "ui/diagnostics/crash_report.h"
+
+namespace placode::ui {
+
+class ShellDiagnosticsTest : public QObject {
+    Q_OBJECT
+
+ private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase() { shell_.reset(); }
+    void nothingIsOfferedWhereNothingCrashed();
+    void aCrashIsSaidOnceWithAWayToItsReport();
+    void theLogIsReadSavedAndHoldsNoNames();
+
+ private:
+    /// What the dialog does while it is open; it is closed behind it.
+    void whileOpen(const std::function<void(QDialog&)>& look);
+    std::unique_ptr<ShellHarness> shell_;
+    QTemporaryDir log_;
+};
+
+void ShellDiagnosticsTest::whileOpen(const std::function<void(QDialog&)>& look) {
+    QTimer::singleShot(50, &shell_->window(), [this, look] {
+        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (dialog == nullptr || dialog->objectName() != "diagnostics") return whileOpen(look);
+        look(*dialog);
+        dialog->accept();
+    });
+}
+
+void ShellDiagnosticsTest::initTestCase() {
+    qputenv("PLACODE_LOG", log_.path().toLocal8Bit());
+    shell_ = std::make_unique<ShellHarness>();
+    QVERIFY(shell_->setUpWithDemonstration());
+}
+
+void ShellDiagnosticsTest::nothingIsOfferedWhereNothingCrashed() {
+    QVERIFY(shell_->signIn("ada", "correct horse"));
+    QVERIFY(!shell_->window().banner().text().contains("crashed"));
+}
+
+void ShellDiagnosticsTest::aCrashIsSaidOnceWithAWayToItsReport() {
+    QProcess simulator;
+    simulator.start(PLACODE_BIN_DIR "/placode-sim",
+                    {"--task", "touch_targets", "--device", "script:expert", "--headless"});
+    QVERIFY(simulator.waitForStarted());
+    QVERIFY(QTest::qWaitFor(
+        [] { return read_log(diagnostics_folder()).find("attempt_began") != std::string::npos; },
+        60000));
+    ::kill(static_cast<pid_t>(simulator.processId()), SIGSEGV);
+    QVERIFY(simulator.waitForFinished(60000));
+    if (simulator.exitStatus() != QProcess::CrashExit ||
+        crash_reports(diagnostics_folder()).empty())
+        QSKIP("the sanitizer has its own report");
+    QVERIFY(shell_->signIn("ada", "correct horse"));
+    QVERIFY(shell_->bannerSays("placode-sim crashed on"));
+    shell_->shot("99_crash_offer");
+    QString read;
+    whileOpen([&](QDialog& dialog) {
+        read = dialog.findChild<QPlainTextEdit*>("diagnostics_text")->toPlainText();
+        dialog.grab().save(shell_->shotFile("99_diagnostics"));
+    });
+    QVERIFY(shell_->click("banner_offer"));
+    QVERIFY2(read.contains("signal: SIGSEGV") && read.contains("placode-sim"), qPrintable(read));
+    // Said once. The page of health has it as long as it is there.
+    QVERIFY(shell_->signIn("ada", "correct horse"));
+    QVERIFY(!shell_->window().banner().text().contains("crashed"));
+    shell_->window().open({PageId::kHealth, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kHealth));
+    shell_->whole("99_health");
+    QString after;
+    whileOpen([&](QDialog& dialog) {
+        auto* remove = dialog.findChild<QPushButton*>("diagnostics_delete");
+        QVERIFY(remove->isEnabled());
+        QTest::mouseClick(remove, Qt::LeftButton);
+        after = dialog.findChild<QPlainTextEdit*>("diagnostics_text")->toPlainText();
+        QVERIFY2(!remove->isEnabled(), "the log stays");
+    });
+    QVERIFY(shell_->click("show_diagnostics"));
+    QVERIFY(crash_reports(diagnostics_folder()).empty());
+    QVERIFY2(after.contains("placode-sim") && after.contains("attempt_began"), qPrintable(after));
+}
+
+void ShellDiagnosticsTest::theLogIsReadSavedAndHoldsNoNames() {
+    shell_->save_as = shell_->path("log.txt");
+    shell_->window().open({PageId::kHealth, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kHealth));
+    whileOpen([&](QDialog& dialog) {
+        QTest::mouseClick(dialog.findChild<QPushButton*>("diagnostics_save"), Qt::LeftButton);
+    });
+    QVERIFY(shell_->click("show_diagnostics"));
+    QFile saved(shell_->save_as);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    const QString text = saved.readAll();
+    QVERIFY2(text.contains("placode-sim") && text.contains("task=touch_targets"), qPrintable(text));
+    for (const char* name : {"ada", "Ada", "demo", "/tmp", "/home", "sqlite"})
+        QVERIFY2(!text.contains(name), name);
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    placode::ui::prepare_display();
+    QApplication application(argc, argv);
+    placode::ui::ShellDiagnosticsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "shell_diagnostics_test.moc"
