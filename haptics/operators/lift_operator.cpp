@@ -62,10 +62,65 @@ Vec3 LiftOperator::place() const noexcept {
     return contour_[i] + kOutsideM * out.normalized() + error_ + height_m_ * normal_[i];
 }
 
-bool LiftOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
-    dt_s = std::clamp(dt_s, 0.0, 0.01);
-    time_s_ += dt_s;
-    stage_s_ += dt_s;
+void LiftOperator::go_to_the_place() noexcept {
+    for (int k = 0; k < 2; ++k) {
+        error_[k] = jaw_habits(level_).aim_error_m * hand_.random().normal();
+    }
+    height_m_ = kHoverM;
+    hand_.reach(place(), Vec3::UnitZ());
+    stage(Stage::kReach);
+}
+
+/// Out of the tissue: the next place, or home after the last one.
+void LiftOperator::rise(double dt_s) noexcept {
+    height_m_ += 0.01 * dt_s;
+    static_cast<void>(hand_.glide(place(), 0.02, dt_s));
+    if (height_m_ < kHoverM) return;
+    if (round_ == kRounds) {
+        hand_.reach(hand_.home_m());
+        stage(Stage::kLeave);
+        return;
+    }
+    go_to_the_place();
+}
+
+void LiftOperator::lower(double dt_s) noexcept {
+    height_m_ -= profile_.descend_m_s * dt_s;
+    static_cast<void>(hand_.glide(place(), 0.02, dt_s));
+    if (touches_ || height_m_ < -kDeepestM) {
+        low_m_ = std::max(height_m_ - kPressM, -kDeepestM);
+        stage(Stage::kClose);
+    }
+}
+
+void LiftOperator::close(double dt_s) noexcept {
+    const JawHabits& habit = jaw_habits(level_);
+    height_m_ = std::max(height_m_ - 0.002 * dt_s, low_m_);
+    static_cast<void>(hand_.glide(place(), 0.02, dt_s));
+    if (!hand_.jaw(habit.squeezed_rad(), habit.close_rad_s, dt_s)) return;
+    if (holds_) {
+        stage(Stage::kLift);
+    } else if (stage_s_ > 1 && ++tries_ < kTries) {
+        stage(Stage::kOpen);  // nothing between the jaws: once more
+    } else if (stage_s_ > 1) {
+        next_round();
+    }
+}
+
+void LiftOperator::lay(double dt_s) noexcept {
+    height_m_ -= jaw_habits(level_).lift_m_s * dt_s;
+    static_cast<void>(hand_.glide(place(), 0.03, dt_s));
+    if (height_m_ <= 1e-4) next_round();
+}
+
+void LiftOperator::next_round() noexcept {
+    ++round_;
+    tries_ = 0;
+    stage(Stage::kOpen);
+}
+
+/// One tick, by the stage of the hand.
+void LiftOperator::move(double dt_s) noexcept {
     const JawHabits& habit = jaw_habits(level_);
     switch (stage_) {
         case Stage::kLook:
@@ -74,48 +129,20 @@ bool LiftOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
                 stage(Stage::kDone);
                 break;
             }
-            [[fallthrough]];
+            go_to_the_place();
+            break;
         case Stage::kRise:
-            if (stage_ == Stage::kRise) {
-                height_m_ += 0.01 * dt_s;
-                static_cast<void>(hand_.glide(place(), 0.02, dt_s));
-                if (height_m_ < kHoverM) break;
-                if (round_ == kRounds) {
-                    hand_.reach(hand_.home_m());
-                    stage(Stage::kLeave);
-                    break;
-                }
-            }
-            for (int k = 0; k < 2; ++k) error_[k] = habit.aim_error_m * hand_.random().normal();
-            height_m_ = kHoverM;
-            hand_.reach(place(), Vec3::UnitZ());
-            stage(Stage::kReach);
+            rise(dt_s);
             break;
         case Stage::kReach:
             static_cast<void>(hand_.jaw(habit.open_rad, 1.5, dt_s));
             if (hand_.reached(place(), dt_s)) stage(Stage::kLower);
             break;
         case Stage::kLower:
-            height_m_ -= profile_.descend_m_s * dt_s;
-            static_cast<void>(hand_.glide(place(), 0.02, dt_s));
-            if (touches_ || height_m_ < -kDeepestM) {
-                low_m_ = std::max(height_m_ - kPressM, -kDeepestM);
-                stage(Stage::kClose);
-            }
+            lower(dt_s);
             break;
         case Stage::kClose:
-            height_m_ = std::max(height_m_ - 0.002 * dt_s, low_m_);
-            static_cast<void>(hand_.glide(place(), 0.02, dt_s));
-            if (!hand_.jaw(habit.squeezed_rad(), habit.close_rad_s, dt_s)) break;
-            if (holds_) {
-                stage(Stage::kLift);
-            } else if (stage_s_ > 1 && ++tries_ < kTries) {
-                stage(Stage::kOpen);  // nothing between the jaws: once more
-            } else if (stage_s_ > 1) {
-                ++round_;
-                tries_ = 0;
-                stage(Stage::kOpen);
-            }
+            close(dt_s);
             break;
         case Stage::kLift:
             height_m_ += habit.lift_m_s * dt_s;
@@ -126,12 +153,7 @@ bool LiftOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
             if (stage_s_ > habit.hold_s || !holds_) stage(Stage::kLay);
             break;
         case Stage::kLay:
-            height_m_ -= habit.lift_m_s * dt_s;
-            static_cast<void>(hand_.glide(place(), 0.03, dt_s));
-            if (height_m_ > 1e-4) break;
-            ++round_;
-            tries_ = 0;
-            stage(Stage::kOpen);
+            lay(dt_s);
             break;
         case Stage::kOpen:
             if (hand_.jaw(habit.open_rad, 2.0, dt_s)) stage(Stage::kRise);
@@ -143,6 +165,13 @@ bool LiftOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
         case Stage::kDone:
             break;
     }
+}
+
+bool LiftOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
+    dt_s = std::clamp(dt_s, 0.0, 0.01);
+    time_s_ += dt_s;
+    stage_s_ += dt_s;
+    move(dt_s);
     if (time_s_ > profile_.patience_s && stage_ < Stage::kOpen) stage(Stage::kLay);
     hands[tool_] = hand_.action(time_s_);
     return stage_ == Stage::kDone;

@@ -31,6 +31,13 @@ class LiftOperator final : public ScriptedOperator {
         kDone
     };
     void stage(Stage next) noexcept;
+    void move(double dt_s) noexcept;
+    void go_to_the_place() noexcept;
+    void rise(double dt_s) noexcept;
+    void lower(double dt_s) noexcept;
+    void close(double dt_s) noexcept;
+    void lay(double dt_s) noexcept;
+    void next_round() noexcept;
     [[nodiscard]] Vec3 place() const noexcept;
 
     OperatorLevel level_;
