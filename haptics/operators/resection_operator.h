@@ -54,18 +54,39 @@ class ResectionOperator final : public ScriptedOperator {
         kBack,
         kDone
     };
-    void right(double dt_s, std::span<HandAction> hands) noexcept;
-    void left(double dt_s, std::span<HandAction> hands) noexcept;
+    static constexpr double kHoverM = 0.005;  // of free motion over the tissue
+
     void go(Right next) noexcept;
     void go(Left next) noexcept;
+
+    // resection_scissors.cpp
+    void right(double dt_s, std::span<HandAction> hands) noexcept;
+    void burn_ring(double dt_s, std::span<HandAction> hands) noexcept;
+    void cut(double dt_s) noexcept;
+    void go_to_the_outline() noexcept;
+    void enter_beside_the_line() noexcept;
+    void enter(double dt_s) noexcept;
+    void advance() noexcept;
+    void look_for_more() noexcept;
     [[nodiscard]] bool next_run() noexcept;
     [[nodiscard]] bool open_at(size_t i) const noexcept;
-    [[nodiscard]] bool unfinished() const noexcept;
-    void grasp_again() noexcept;
-    void carry() noexcept;
     void aim() noexcept;
     void count_try() noexcept;
     [[nodiscard]] Vec3 tip_goal(double above_m) const noexcept;
+
+    // resection_grasper.cpp
+    void left(double dt_s, std::span<HandAction> hands) noexcept;
+    void choose_hold() noexcept;
+    void lower(double dt_s) noexcept;
+    void close(double dt_s) noexcept;
+    void hold() noexcept;
+    void lift(double dt_s) noexcept;
+    void carry() noexcept;
+    void carry_out(double dt_s) noexcept;
+    void let_go() noexcept;
+    void go_back(double dt_s) noexcept;
+    [[nodiscard]] bool unfinished() const noexcept;
+    void grasp_again() noexcept;
     [[nodiscard]] Vec3 hold_place(double above_m) const noexcept;
 
     OperatorLevel level_;
