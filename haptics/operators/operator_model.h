@@ -33,6 +33,8 @@ class OperatorModel {
  private:
     enum class Stage : uint8_t { kLook, kMove, kDescend, kCut, kLift, kWatch, kLeave, kDone };
 
+    static constexpr double kOverrunM = 5e-4;  // A piece is cut past both of its ends.
+
     void next_or_leave(double from_m) noexcept;
     void leave() noexcept;
     void stage(Stage next) noexcept;
@@ -40,8 +42,10 @@ class OperatorModel {
     void begin_move(const Vec3& from_m) noexcept;
     void do_move(double dt_s) noexcept;
     void do_descend(double dt_s) noexcept;
-    void do_cut(double dt_s) noexcept;
     void do_lift(double dt_s) noexcept;
+
+    // operator_cut.cpp
+    void do_cut(double dt_s) noexcept;
     void follow(const Vec3& goal_m, double dt_s) noexcept;
     [[nodiscard]] bool wanted() const noexcept;
     [[nodiscard]] bool cooling() const noexcept;
