@@ -7,9 +7,8 @@
 #include <cmath>
 #include <thread>
 
-#include "haptics/coupling.h"
-#include "haptics/histogram.h"
 #include "haptics/real_time.h"
+#include "haptics/servo_loop.h"
 
 namespace placode::haptics {
 
@@ -20,59 +19,7 @@ constexpr int64_t kLateNs = 1'100'000, kGapNs = 5'000'000;
 constexpr int64_t kCommandLifeNs = 10'000'000;  // A driver zeroes an older force by itself.
 constexpr int kReleaseTicks = 60;               // The release ramp takes 50.
 
-// Atomics that one thread writes: a plain store is enough and never locks the bus.
-using Counter = std::atomic<uint64_t>;
-void count(Counter& counter, bool happened = true, uint64_t n = 1) noexcept {
-    if (happened)
-        counter.store(counter.load(std::memory_order_relaxed) + n, std::memory_order_relaxed);
-}
-
-struct Counters {
-    Counter ticks{0}, missed{0}, late{0}, gaps{0}, tool_states{0}, saturated{0}, slewed{0}, hot{0},
-        stale{0}, silent{0}, passivity{0}, faults{0}, compared{0}, differing{0};
-    std::atomic<double> peak_n{0}, rms_n{0}, least_j{0};
-    std::atomic<int64_t> first_ns{0}, last_ns{0};
-    DurationHistogram periods, ages;
-};
-
 }  // namespace
-
-struct Servo::Impl {
-    struct HandLoop {
-        Trocar trocar;
-        Coupling coupling;
-        sim::ToolInput held;     // Last trusted input.
-        double tool_time_s = 0;  // Of the last tool state, to count distinct ones.
-        bool force = false;      // The device of this hand has motors.
-    };
-
-    std::unique_ptr<DeviceGroup> devices;
-    std::string device_names;
-    bool force = false;
-    // Servo thread (or the caller in lock step).
-    std::vector<HandLoop> hands;
-    std::vector<DeviceState> states;
-    std::vector<DeviceCommand> commands;
-    std::array<sim::ToolInput, sim::kMaxTools> inputs{};
-    int64_t previous_ns = 0;
-    int release_ticks = -1;
-    // Crosses threads.
-    Exchange exchange;
-    Counters counters;
-    std::atomic<bool> finish{false}, running{false}, releasing{false}, released{false},
-        real_time{false}, paused{false}, locked{false}, own_scheduler{false};
-    // Owner.
-    std::thread thread;
-    bool was_started = false, stopped = false;
-
-    void tick_hand(size_t i, int64_t t_ns, sim::ToolInput& input,
-                   const sim::ToolFeedback& feedback) noexcept;
-    void note(size_t i, const CouplingResult& result, const sim::ToolFeedback& feedback) noexcept;
-    void note_time(int64_t now_ns) noexcept;
-    void step_release() noexcept;
-    bool tick_all(int64_t now_ns) noexcept;
-    void run() noexcept;
-};
 
 void Servo::Impl::note(size_t i, const CouplingResult& result,
                        const sim::ToolFeedback& feedback) noexcept {
@@ -257,66 +204,6 @@ void Servo::stop() noexcept {
 
 Servo::Exchange& Servo::exchange() noexcept { return impl_->exchange; }
 DeviceGroup& Servo::devices() noexcept { return *impl_->devices; }
-
-ServoHealth Servo::health() const {
-    const Impl& impl = *impl_;
-    const Counters& c = impl.counters;
-    ServoHealth health;
-    health.ticks = c.ticks;
-    health.overruns = c.missed;
-    health.clamped = c.saturated;
-    health.faults = c.faults;
-    health.stale = c.stale;
-    health.period_p50_us = c.periods.quantile_us(0.5);
-    health.period_p99_us = c.periods.quantile_us(0.99);
-    health.period_p999_us = c.periods.quantile_us(0.999);
-    health.period_max_us = c.periods.max_us();
-    health.real_time = impl.real_time || impl.own_scheduler;
-    if (impl.was_started) {
-        health.remark = missing_rights(health.real_time, impl.locked);
-    } else if (impl.devices->lock_step()) {
-        health.remark = "In step with the simulation: no servo thread, no real-time rights needed.";
-    }
-    return health;
-}
-
-HapticCertificate Servo::certificate() const {
-    const Impl& impl = *impl_;
-    const Counters& c = impl.counters;
-    HapticCertificate out;
-    out.device = impl.device_names;
-    out.force = impl.force;
-    out.lock_step = impl.devices->lock_step();
-    out.real_time = impl.real_time || impl.own_scheduler;
-    out.memory_locked = impl.locked;
-    out.duration_s = static_cast<double>(c.last_ns - c.first_ns) * 1e-9;
-    out.ticks = c.ticks;
-    out.missed = c.missed;
-    out.late = c.late;
-    out.gaps = c.gaps;
-    out.period_p50_us = c.periods.quantile_us(0.5);
-    out.period_p99_us = c.periods.quantile_us(0.99);
-    out.period_p999_us = c.periods.quantile_us(0.999);
-    out.period_max_us = c.periods.max_us();
-    out.tool_age_p50_us = c.ages.quantile_us(0.5);
-    out.tool_age_p99_us = c.ages.quantile_us(0.99);
-    out.tool_age_max_us = c.ages.max_us();
-    out.tool_states = c.tool_states;
-    out.saturated = c.saturated;
-    out.slewed = c.slewed;
-    out.hot = c.hot;
-    out.stale = c.stale;
-    out.silent = c.silent;
-    out.passivity = c.passivity;
-    out.faults = c.faults;
-    out.least_energy_j = c.least_j;
-    out.peak_force_n = c.peak_n;
-    out.rms_force_n = c.rms_n;
-    out.compared = c.compared;
-    out.differing = c.differing;
-    out.last_error = impl.devices->last_error();
-    return out;
-}
 
 bool Servo::finish_requested() const noexcept { return impl_->finish; }
 bool Servo::renders_force() const noexcept { return impl_->force; }
