@@ -5,13 +5,12 @@
 // then both forces are set and the frames ended.
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
 
 #include "haptics/arm_hands.h"
-#include "haptics/openhaptics_library.h"
+#include "haptics/openhaptics_arm.h"
 #include "haptics/real_time.h"
 
 namespace placode::haptics {
@@ -20,10 +19,6 @@ namespace {
 
 using namespace hd;  // NOLINT: the names of one library, in its one driver
 
-constexpr int kPoll = 100;  // ticks between looks at calibration and motors
-constexpr double kMm = 1e-3;
-constexpr double kDefaultMaxForceN = 3.3, kDefaultContinuousN = 0.88, kMaxStiffnessNM = 400,
-                 kMaxDampingNsM = 4;  // of the Touch; the unit of the library's own is not settled
 constexpr auto kRetry = std::chrono::milliseconds(500);
 
 class OpenHapticsDevice final : public ArmHands {
@@ -39,7 +34,7 @@ class OpenHapticsDevice final : public ArmHands {
             arms_[i].right = hands[i] != sim::Hand::kLeft;
         }
         try {
-            for (Arm& arm : arms_) init(arm);
+            for (Arm& arm : arms_) open_arm(hd_, arm);
         } catch (...) {
             disable_all();
             throw;
@@ -87,81 +82,7 @@ class OpenHapticsDevice final : public ArmHands {
     }
 
  private:
-    struct Arm {
-        std::string name;
-        bool right = true;
-        DeviceHandle handle = kNoHandle;
-        DeviceInfo info;
-        // servo thread
-        ArmSample sample;
-        ArmForce force;
-        bool calibrated = false, forces_on = false, fault = false, lost = false;
-        int still_ticks = 0;  // joints at zero: not calibrated, whatever the library says
-    };
-
-    [[nodiscard]] std::string words(const ErrorInfo& error) const {
-        const char* text = hd_.error_string(error.code);
-        char code[16];
-        std::snprintf(code, sizeof code, "0x%03x", error.code);
-        return std::string(text != nullptr ? text : "unknown error") + " (" + code + ")";
-    }
-
-    void drain() noexcept {
-        for (int i = 0; i < 64 && hd_.get_error().code != kSuccess; ++i) {
-        }
-    }
-
-    // Tries the names that different versions of the driver accept.
-    void init(Arm& arm) {
-        std::vector<const char*> names{arm.name.c_str()};
-        if (arm.name.empty())
-            names = {nullptr, "Default PHANToM", "Default Device", "Right Device"};
-        std::string problem;
-        for (const char* name : names) {
-            drain();
-            const DeviceHandle handle = hd_.init_device(name);
-            const ErrorInfo error = hd_.get_error();
-            if (error.code == kSuccess && handle != kNoHandle) {
-                arm.handle = handle;
-                describe(arm);
-                return;
-            }
-            problem = words(error);
-            if (error.code == kAlreadyInitiated) break;  // another program or arm has it
-        }
-        throw DeviceError("openhaptics: the " + std::string(arm.right ? "right" : "left") +
-                          " arm \"" + (arm.name.empty() ? "default device" : arm.name) +
-                          "\" cannot be opened: " + problem +
-                          ". Plug it in, run the vendor's setup once, and write the name it got "
-                          "there into openhaptics.right or openhaptics.left of the station file.");
-    }
-
-    void describe(Arm& arm) {
-        hd_.make_current(arm.handle);
-        hd_.begin_frame(arm.handle);
-        const auto text = [&](unsigned what) {
-            const char* found = hd_.get_string(what);
-            return std::string(found != nullptr ? found : "");
-        };
-        arm.info.vendor = text(kVendor);
-        arm.info.model = text(kModel);
-        arm.info.serial = text(kSerial);
-        double force = 0, continuous = 0;
-        hd_.get_doublev(kMaxForce, &force);
-        hd_.get_doublev(kContinuousForce, &continuous);
-        hd_.end_frame(arm.handle);
-        drain();
-        if (arm.info.vendor.empty()) arm.info.vendor = "3D Systems";
-        arm.info.driver = "OpenHaptics";
-        arm.info.dof_sensed = 6;
-        arm.info.dof_force = 3;
-        arm.info.owns_servo = true;
-        arm.info.left_hand = !arm.right;
-        arm.info.max_force_n = force > 0 ? force : kDefaultMaxForceN;
-        arm.info.continuous_force_n = continuous > 0 ? continuous : kDefaultContinuousN;
-        arm.info.max_stiffness_n_m = kMaxStiffnessNM;
-        arm.info.max_damping_ns_m = kMaxDampingNsM;
-    }
+    using Arm = hd::Arm;
 
     // Forces are enabled by the tick, once an arm is calibrated; the scheduler starts last.
     void begin_session() {
@@ -170,7 +91,7 @@ class OpenHapticsDevice final : public ArmHands {
             arm.still_ticks = 0;
         }
         ticks_ = 0;
-        drain();
+        drain(hd_);
         hd_.set_rate(kRateHz);
         task_ = hd_.schedule(&OpenHapticsDevice::scheduled, this, kMaxPriority);
         hd_.start_scheduler();
@@ -189,7 +110,7 @@ class OpenHapticsDevice final : public ArmHands {
             if (arm.handle != kNoHandle) hd_.disable_device(arm.handle);
             arm.handle = kNoHandle;
         }
-        drain();
+        drain(hd_);
     }
 
     static unsigned scheduled(void* self) noexcept {
@@ -201,7 +122,7 @@ class OpenHapticsDevice final : public ArmHands {
         if (over_.load(std::memory_order_relaxed)) return kCallbackDone;
         for (Arm& arm : arms_) {
             hd_.begin_frame(arm.handle);
-            read_arm(arm);
+            read_arm(hd_, arm, ticks_ % kPoll == 0);
         }
         ++ticks_;
         collect_errors();
@@ -223,57 +144,6 @@ class OpenHapticsDevice final : public ArmHands {
         if (!tick_(context_, clock_ns_())) over_.store(true, std::memory_order_relaxed);
         lost_.store(true, std::memory_order_release);
         return kCallbackDone;
-    }
-
-    void read_arm(Arm& arm) noexcept {
-        double position[3]{}, transform[16]{}, joints[3]{}, gimbal[3]{};
-        int buttons = 0;
-        unsigned char inkwell = 0;
-        hd_.get_doublev(kPosition, position);
-        hd_.get_doublev(kTransform, transform);
-        hd_.get_doublev(kJointAngles, joints);
-        hd_.get_doublev(kGimbalAngles, gimbal);
-        hd_.get_integerv(kButtons, &buttons);
-        hd_.get_booleanv(kInkwell, &inkwell);
-        ArmSample& sample = arm.sample;
-        const float heat = sample.motor_heat;
-        sample = {};
-        sample.motor_heat = heat;
-        sample.position_m = kMm * Vec3(position[0], position[1], position[2]);
-        Mat3 axes;  // column by column
-        axes << transform[0], transform[4], transform[8], transform[1], transform[5], transform[9],
-            transform[2], transform[6], transform[10];
-        if (axes.allFinite() && std::abs(axes.determinant() - 1) < 0.01)
-            sample.orientation = Quat(axes);
-        sample.roll_rad = gimbal[2];
-        sample.buttons = static_cast<uint32_t>(buttons);
-        sample.held = inkwell == 0;
-        const bool at_zero = joints[0] == 0 && joints[1] == 0 && joints[2] == 0;
-        arm.still_ticks = at_zero ? std::min(arm.still_ticks + 1, kPoll) : 0;
-        if (ticks_ % kPoll == 0) slow_look(arm);
-        const bool calibrated = arm.calibrated && arm.still_ticks < kPoll;
-        if (arm.calibrated && !arm.forces_on) {
-            hd_.enable(kForceOutput);
-            hd_.enable(kForceRamping);
-            arm.forces_on = true;
-        }
-        sample.status = calibrated ? DeviceStatus::kReady : DeviceStatus::kNotCalibrated;
-    }
-
-    // Calibration and motors, ten times a second. The frame of the arm is open and it is current.
-    void slow_look(Arm& arm) noexcept {
-        double heat[6]{};
-        hd_.get_doublev(kMotorTemperature, heat);
-        double hottest = 0;
-        for (const double one : heat) hottest = std::max(hottest, one);
-        arm.sample.motor_heat = static_cast<float>(hottest);
-        const unsigned state = hd_.check_calibration();
-        if (state == kCalibrationNeedsUpdate) hd_.update_calibration(hd_.calibration_style());
-        arm.calibrated = state == kCalibrationOk;
-        if (!arm.calibrated && arm.forces_on) {
-            hd_.disable(kForceOutput);
-            arm.forces_on = false;
-        }
     }
 
     // Empties the error stack. An error that names no arm of ours concerns both.
@@ -313,7 +183,7 @@ class OpenHapticsDevice final : public ArmHands {
             end_session();
             disable_all();
             try {
-                for (Arm& arm : arms_) init(arm);
+                for (Arm& arm : arms_) open_arm(hd_, arm);
             } catch (const DeviceError&) {
                 disable_all();
                 continue;  // not yet
