@@ -38,11 +38,17 @@ class WebSocket {
     [[nodiscard]] uint32_t connections() const noexcept { return connections_; }
 
  private:
+    // Opcodes of frames.
+    static constexpr uint8_t kContinuation = 0, kText = 1, kBinary = 2, kClose = 8, kPing = 9,
+                             kPong = 10;
+
     void drop(int64_t t_ns) noexcept;
     void begin(int64_t t_ns) noexcept;
     void shake() noexcept;
     bool receive() noexcept;
     bool flush() noexcept;
+
+    // web_socket_frames.cpp
     bool send_frame(uint8_t opcode, std::string_view payload) noexcept;
     bool take_frame() noexcept;
     [[nodiscard]] bool allowed(uint8_t first, uint64_t size) const noexcept;
