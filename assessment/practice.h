@@ -75,7 +75,10 @@ class PracticeTracker {
     void advance(double time_s) noexcept;
     void tell_marks(const NeedleSight& needle) noexcept;
     [[nodiscard]] int tool_of(sim::Hand hand, const PracticeSight& sight) const noexcept;
+
+    // practice_steps.cpp
     [[nodiscard]] bool did(const PracticeSight& sight) noexcept;
+    [[nodiscard]] bool did_grasp(const PracticeSight& sight, int tool) noexcept;
     [[nodiscard]] bool did_motion(const sim::ToolSample& tool) noexcept;
     [[nodiscard]] bool did_touch(const PracticeSight& sight, int tool) noexcept;
     [[nodiscard]] bool did_trace(const sim::ToolSample& tool, int index, double time_s) noexcept;
