@@ -68,51 +68,44 @@ Vector3 start(std::span<const double> y) {
     return best;
 }
 
-/// Levenberg-Marquardt.
-std::optional<ExponentialFit> fit_exponential(std::span<const double> y) {
-    if (y.size() < 4) return std::nullopt;
-    Vector3 p = start(y);
-    double rss = residual_sum(y, p), damping = 1e-3;
+/// J^T J and J^T r at `p`.
+struct NormalEquations {
     Matrix3 normal{};
-    bool converged = false;
-    for (int iteration = 0; iteration < 500 && !converged; ++iteration) {
-        normal = {};
-        Vector3 gradient{};
-        for (size_t i = 0; i < y.size(); ++i) {
-            const double t = static_cast<double>(i), e = std::exp(-t / p[2]);
-            const Vector3 j{1, -e, -p[1] * e * t / (p[2] * p[2])};
-            const double r = y[i] - (p[0] - p[1] * e);
-            for (size_t a = 0; a < 3; ++a) {
-                gradient[a] += j[a] * r;
-                for (size_t b = 0; b < 3; ++b) normal[a][b] += j[a] * j[b];
-            }
-        }
-        for (int attempt = 0; attempt < 60; ++attempt) {
-            Matrix3 damped = normal;
-            for (size_t a = 0; a < 3; ++a) damped[a][a] *= 1 + damping;
-            const Matrix3 inv = inverse(damped);
-            Vector3 next = p;
-            double change = 0;
-            for (size_t a = 0; a < 3; ++a) {
-                double step = 0;
-                for (size_t b = 0; b < 3; ++b) step += inv[a][b] * gradient[b];
-                next[a] += step;
-                change = std::max(change, std::abs(step) / (std::abs(p[a]) + 1e-12));
-            }
-            const double next_rss = next[2] > 0 ? residual_sum(y, next) : INFINITY;
-            if (change < 1e-10) {
-                converged = true;
-                break;
-            }
-            if (next_rss <= rss) {
-                p = next;
-                rss = next_rss;
-                damping = std::max(damping / 10, 1e-12);
-                break;
-            }
-            damping *= 10;
+    Vector3 gradient{};
+};
+NormalEquations normal_equations(std::span<const double> y, const Vector3& p) {
+    NormalEquations at;
+    for (size_t i = 0; i < y.size(); ++i) {
+        const double t = static_cast<double>(i), e = std::exp(-t / p[2]);
+        const Vector3 j{1, -e, -p[1] * e * t / (p[2] * p[2])};
+        const double r = y[i] - (p[0] - p[1] * e);
+        for (size_t a = 0; a < 3; ++a) {
+            at.gradient[a] += j[a] * r;
+            for (size_t b = 0; b < 3; ++b) at.normal[a][b] += j[a] * j[b];
         }
     }
+    return at;
+}
+
+/// One step of Levenberg-Marquardt; `change` is its largest part of a parameter.
+Vector3 damped_step(const NormalEquations& at, const Vector3& p, double damping, double& change) {
+    Matrix3 damped = at.normal;
+    for (size_t a = 0; a < 3; ++a) damped[a][a] *= 1 + damping;
+    const Matrix3 inv = inverse(damped);
+    Vector3 next = p;
+    change = 0;
+    for (size_t a = 0; a < 3; ++a) {
+        double step = 0;
+        for (size_t b = 0; b < 3; ++b) step += inv[a][b] * at.gradient[b];
+        next[a] += step;
+        change = std::max(change, std::abs(step) / (std::abs(p[a]) + 1e-12));
+    }
+    return next;
+}
+
+/// Standard errors from the normal matrix, R^2 and AIC of the fit `p`.
+ExponentialFit judged_fit(std::span<const double> y, const Vector3& p, const Matrix3& normal,
+                          double rss) {
     const auto n = static_cast<double>(y.size());
     ExponentialFit fit{p[0], p[1], p[2]};
     const Matrix3 covariance = inverse(normal);
@@ -128,6 +121,36 @@ std::optional<ExponentialFit> fit_exponential(std::span<const double> y) {
     // As R's AIC(nls): three parameters and the residual variance.
     fit.aic = n * (std::log(2 * std::numbers::pi) + std::log(rss / n) + 1) + 2 * 4;
     fit.trial_to_95pct_of_gain = 1 + fit.tau_trials * std::log(20.0);
+    return fit;
+}
+
+/// Levenberg-Marquardt.
+std::optional<ExponentialFit> fit_exponential(std::span<const double> y) {
+    if (y.size() < 4) return std::nullopt;
+    Vector3 p = start(y);
+    double rss = residual_sum(y, p), damping = 1e-3;
+    NormalEquations at;
+    bool converged = false;
+    for (int iteration = 0; iteration < 500 && !converged; ++iteration) {
+        at = normal_equations(y, p);
+        for (int attempt = 0; attempt < 60; ++attempt) {
+            double change = 0;
+            const Vector3 next = damped_step(at, p, damping, change);
+            const double next_rss = next[2] > 0 ? residual_sum(y, next) : INFINITY;
+            if (change < 1e-10) {
+                converged = true;
+                break;
+            }
+            if (next_rss <= rss) {
+                p = next;
+                rss = next_rss;
+                damping = std::max(damping / 10, 1e-12);
+                break;
+            }
+            damping *= 10;
+        }
+    }
+    ExponentialFit fit = judged_fit(y, p, at.normal, rss);
     fit.converged = converged;
     if (!std::isfinite(fit.asymptote) || !std::isfinite(fit.se_tau)) return std::nullopt;
     return fit;
