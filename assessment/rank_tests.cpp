@@ -90,6 +90,41 @@ double tie_sum(std::span<const double> values) {
     return sum;
 }
 
+namespace {
+
+/// Pratt's form of the signed ranks: zeros take part in the ranking and are dropped afterwards.
+void add_pratt(const std::vector<double>& difference, const std::vector<double>& magnitude,
+               WilcoxonPaired& result) {
+    const std::vector<double> pratt = mid_ranks(magnitude);
+    double pratt_v = 0, pratt_sum = 0, pratt_squares = 0;
+    for (size_t i = 0; i < pratt.size(); ++i) {
+        if (difference[i] == 0) continue;
+        if (difference[i] > 0) pratt_v += pratt[i];
+        pratt_sum += pratt[i];
+        pratt_squares += pratt[i] * pratt[i];
+    }
+    result.z_pratt = (pratt_v - pratt_sum / 2) / std::sqrt(pratt_squares / 4);
+    result.p_pratt = normal_two_sided_p(result.z_pratt);
+}
+
+/// The paired t-test of the same differences, and Cohen's d of them.
+void add_paired_t(const std::vector<double>& difference, WilcoxonPaired& result) {
+    const double n = static_cast<double>(result.n);
+    const double mean = *mean_of(difference);
+    double variance = 0;
+    for (const double d : difference) variance += (d - mean) * (d - mean);
+    const double sd = std::sqrt(variance / (n - 1));
+    result.cohens_dz = result.paired_t = result.paired_t_p =
+        std::numeric_limits<double>::quiet_NaN();
+    if (n > 1 && sd > 0) {
+        result.cohens_dz = mean / sd;
+        result.paired_t = mean / (sd / std::sqrt(n));
+        result.paired_t_p = t_two_sided(result.paired_t, n - 1);
+    }
+}
+
+}  // namespace
+
 WilcoxonPaired wilcoxon_paired(std::span<const double> before, std::span<const double> after,
                                int digits) {
     if (before.size() != after.size() || before.empty()) {
@@ -124,31 +159,8 @@ WilcoxonPaired wilcoxon_paired(std::span<const double> before, std::span<const d
     if (result.n_nonzero <= 60) result.p_exact = exact_signed_rank_p(ranks, result.v);
     result.matched_rank_biserial = (2 * result.v - sum) / sum;
     result.r = std::abs(result.z) / std::sqrt(static_cast<double>(result.n_nonzero));
-
-    // Pratt: zeros take part in the ranking and are dropped afterwards.
-    const std::vector<double> pratt = mid_ranks(all_magnitude);
-    double pratt_v = 0, pratt_sum = 0, pratt_squares = 0;
-    for (size_t i = 0; i < pratt.size(); ++i) {
-        if (difference[i] == 0) continue;
-        if (difference[i] > 0) pratt_v += pratt[i];
-        pratt_sum += pratt[i];
-        pratt_squares += pratt[i] * pratt[i];
-    }
-    result.z_pratt = (pratt_v - pratt_sum / 2) / std::sqrt(pratt_squares / 4);
-    result.p_pratt = normal_two_sided_p(result.z_pratt);
-
-    const double n = static_cast<double>(result.n);
-    const double mean = *mean_of(difference);
-    double variance = 0;
-    for (const double d : difference) variance += (d - mean) * (d - mean);
-    const double sd = std::sqrt(variance / (n - 1));
-    result.cohens_dz = result.paired_t = result.paired_t_p =
-        std::numeric_limits<double>::quiet_NaN();
-    if (n > 1 && sd > 0) {
-        result.cohens_dz = mean / sd;
-        result.paired_t = mean / (sd / std::sqrt(n));
-        result.paired_t_p = t_two_sided(result.paired_t, n - 1);
-    }
+    add_pratt(difference, all_magnitude, result);
+    add_paired_t(difference, result);
     return result;
 }
 
