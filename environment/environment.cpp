@@ -35,12 +35,6 @@ void check_options(const EnvironmentOptions& o) {
 
 }  // namespace
 
-size_t SavedMoment::bytes() const {
-    const sim::Recording& r = book.recording();
-    return state.size() + r.inputs.size() * sizeof(sim::Input) +
-           r.samples.size() * sizeof(sim::Sample) + r.events.size() * sizeof(sim::Event);
-}
-
 Environment::Environment(std::shared_ptr<FieldCache> fields, const std::string& task,
                          const EnvironmentOptions& options)
     : fields_(std::move(fields)), options_(options) {
@@ -263,48 +257,6 @@ const sim::Recording& Environment::recording() const {
         throw EnvironmentError(Kind::kRunning,
                                "the attempt is not over: step with finish, then write it");
     return book_.recording();
-}
-
-void Environment::save(SavedMoment& into) const {
-    need_begun();
-    into.field = field_;
-    into.seed = seed_;
-    sim::save_state(*field_->scene, *state_, into.state);
-    into.frames.emplace(*frames_);
-    into.hands.emplace(*hands_);
-    into.inputs = inputs_;
-    into.feedback = feedback_;
-    into.book = book_;
-    into.judged = judged_;
-    into.end = end_;
-    into.potential_m = potential_m_;
-    into.paid_points = paid_points_;
-    into.reached = reached_;
-}
-
-void Environment::restore(const SavedMoment& saved) {
-    if (!saved.field)
-        throw EnvironmentError(Kind::kBadArgument, "nothing was saved there; call save first");
-    if (saved.field->task.json != task_.json)
-        throw EnvironmentError(Kind::kOtherTask,
-                               "the saved moment is of another task, or its scene was changed "
-                               "otherwise: found " +
-                                   saved.field->task.id + ", expected " + task_.id);
-    enter(saved.field);
-    sim::load_own_state(*state_, saved.state);
-    seed_ = saved.seed;
-    frames_.emplace(*saved.frames);
-    hands_.emplace(*saved.hands);
-    inputs_ = saved.inputs;
-    feedback_ = saved.feedback;
-    book_ = saved.book;
-    judged_ = saved.judged;
-    end_ = saved.end;
-    looked_ = -1;
-    look_for_goals();
-    potential_m_ = saved.potential_m;
-    paid_points_ = saved.paid_points;
-    reached_ = saved.reached;
 }
 
 }  // namespace placode::environment
