@@ -198,27 +198,25 @@ std::string accuracy_csv(const std::vector<AccuracyRow>& rows) {
     return text;
 }
 
-std::string accuracy_report(const std::vector<AccuracyRow>& rows,
-                            const std::vector<Figure>& figures, const AccuracyRun& run,
-                            const std::string& figure_folder) {
+namespace {
+
+std::string how_measured(const AccuracyRun& run) {
     const Machine& machine = run.machine;
-    std::string text =
-        "<!-- Written by `placodectl bench accuracy`; run it again instead of editing. -->\n"
-        "# Accuracy of the tissue solvers\n\n";
-    text +=
-        "Measured with `placodectl bench accuracy" + std::string(run.quick ? " --quick" : "") +
-        (run.field ? " --field" : "") + "` on " + machine.processor + " (" +
-        std::to_string(machine.logical_cores) + " logical cores), " + machine.system + ", " +
-        machine.compiler + ", " + machine.build + ", kernels " + machine.kernel_target +
-        ", load before " + sim::fixed_text(machine.load_average_1min, 1) + ", " +
-        sim::fixed_text(run.wall_s, 0) +
-        " s. One thread. Cost is CPU time of one core for one simulated second; with a load "
-        "above 1 caches and the clock were shared with other programs, so that costs are upper "
-        "bounds. Errors do not depend on the load. Positions are rounded to floats as in the "
-        "simulator, except where the method is called 48-bit: there, as in `placodectl solve`, "
-        "they carry what rounding takes off, the rigid modes of what nothing holds are solved, and "
-        "what is left is the method's own error.\n\n";
-    text += "## What is accurate, and what is not\n\n" + conclusions(rows) + reactions(rows);
+    return "Measured with `placodectl bench accuracy" + std::string(run.quick ? " --quick" : "") +
+           (run.field ? " --field" : "") + "` on " + machine.processor + " (" +
+           std::to_string(machine.logical_cores) + " logical cores), " + machine.system + ", " +
+           machine.compiler + ", " + machine.build + ", kernels " + machine.kernel_target +
+           ", load before " + sim::fixed_text(machine.load_average_1min, 1) + ", " +
+           sim::fixed_text(run.wall_s, 0) +
+           " s. One thread. Cost is CPU time of one core for one simulated second; with a load "
+           "above 1 caches and the clock were shared with other programs, so that costs are upper "
+           "bounds. Errors do not depend on the load. Positions are rounded to floats as in the "
+           "simulator, except where the method is called 48-bit: there, as in `placodectl solve`, "
+           "they carry what rounding takes off, the rigid modes of what nothing holds are solved, "
+           "and what is left is the method's own error.\n\n";
+}
+
+std::string missed_targets(const std::vector<AccuracyRow>& rows) {
     int missed = 0;
     std::string list;
     for (const AccuracyRow& row : rows) {
@@ -229,8 +227,37 @@ std::string accuracy_report(const std::vector<AccuracyRow>& rows,
                 accuracy_percent(row.error) + " % (target " + accuracy_percent(row.target) +
                 " %)\n";
     }
-    text += "\nTargets missed: " + std::to_string(missed) + "\n" + list;
-    if (missed > 0) text += kWhyMissed;
+    list = "\nTargets missed: " + std::to_string(missed) + "\n" + list;
+    return missed > 0 ? list + kWhyMissed : list;
+}
+
+std::string all_numbers(const std::vector<AccuracyRow>& rows) {
+    std::string text = "## All numbers\n";
+    std::string study;
+    for (const AccuracyRow& row : rows) {
+        if (row.study != study) {
+            study = row.study;
+            text += "\n### " + study +
+                    "\n\n| setting | method | h [ms] | Courant | quantity | value | expected | "
+                    "error [%] | target [%] | | CPU s / s |\n|---|---|---|---|---|---|---|---|---|-"
+                    "--|---|\n";
+        }
+        text += row_text(row);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string accuracy_report(const std::vector<AccuracyRow>& rows,
+                            const std::vector<Figure>& figures, const AccuracyRun& run,
+                            const std::string& figure_folder) {
+    std::string text =
+        "<!-- Written by `placodectl bench accuracy`; run it again instead of editing. -->\n"
+        "# Accuracy of the tissue solvers\n\n";
+    text += how_measured(run);
+    text += "## What is accurate, and what is not\n\n" + conclusions(rows) + reactions(rows);
+    text += missed_targets(rows);
     text +=
         "\n## Which method a scene should choose\n\n"
         "| scene | method | why |\n|---|---|---|\n"
@@ -246,18 +273,7 @@ std::string accuracy_report(const std::vector<AccuracyRow>& rows,
     if (!figures.empty()) text += "\n## Figures\n\n";
     for (const Figure& figure : figures)
         text += "![" + figure.caption + "](" + figure_folder + figure.file + ")\n\n";
-    text += "## All numbers\n";
-    std::string study;
-    for (const AccuracyRow& row : rows) {
-        if (row.study != study) {
-            study = row.study;
-            text += "\n### " + study +
-                    "\n\n| setting | method | h [ms] | Courant | quantity | value | expected | "
-                    "error [%] | target [%] | | CPU s / s |\n|---|---|---|---|---|---|---|---|---|-"
-                    "--|---|\n";
-        }
-        text += row_text(row);
-    }
+    text += all_numbers(rows);
     return text;
 }
 
