@@ -116,16 +116,17 @@ void check(Arguments& arguments) {
     }
 }
 
-}  // namespace
-
-Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
-    Arguments arguments;
+/// Options that are read once all of them are known.
+struct Typed {
     std::string size, position, screenshots, camera, layout;
     std::optional<std::string> aids;
-    exit_now = false;
-    CLI::App app("placode-sim: one attempt at a task, through the fetoscope", "placode-sim");
-    app.set_version_flag("--version", std::string("placode-sim ") + version_text(),
-                         "Version and commit");
+    bool is_exam = false, is_study = false;
+};
+
+// In the order of the help:
+
+/// What is done: task, device, recording.
+void add_attempt_options(CLI::App& app, Arguments& arguments) {
     app.add_option("--task", arguments.task, "Id of a task, or its JSON file")
         ->type_name("ID|FILE.json");
     app.add_option(
@@ -144,14 +145,20 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     app.add_option("--threads", arguments.threads, "Threads of the physics")
         ->check(CLI::Range(1, 64));
     app.add_option("--seed", arguments.seed, "Seed of anatomy and scripted operator");
-    app.add_option("--screenshots", screenshots, "Save pictures in DIR, every EVERY_S seconds (5)")
+}
+
+/// How it is shown and saved.
+void add_window_options(CLI::App& app, Arguments& arguments, Typed& typed) {
+    app.add_option("--screenshots", typed.screenshots,
+                   "Save pictures in DIR, every EVERY_S seconds (5)")
         ->type_name("DIR[:EVERY_S]");
-    app.add_option("--size", size, "Size of window and pictures")->type_name("WxH");
-    app.add_option("--position", position, "Upper left corner of the window on the desktop [px]")
+    app.add_option("--size", typed.size, "Size of window and pictures")->type_name("WxH");
+    app.add_option("--position", typed.position,
+                   "Upper left corner of the window on the desktop [px]")
         ->type_name("X,Y");
     app.add_option("--scope", arguments.scope_angle_deg, "Angle of the optic [deg]")
         ->check(CLI::IsMember({0, 30}));
-    app.add_option("--controls", layout,
+    app.add_option("--controls", typed.layout,
                    "Keys and buttons: left-handed, then NAME=KEY, buttons=exchanged, "
                    "sticks=exchanged with spaces between")
         ->type_name("LAYOUT");
@@ -161,7 +168,11 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     app.add_flag("--demonstration", arguments.demonstration,
                  "Mark picture and recording as demonstration");
     app.add_flag("--fullscreen", arguments.fullscreen, "Window over the whole screen");
-    app.add_option("--camera", camera, "Replay: scope, above, left, feet or near")
+}
+
+/// How a recording is played.
+void add_replay_options(CLI::App& app, Arguments& arguments, Typed& typed) {
+    app.add_option("--camera", typed.camera, "Replay: scope, above, left, feet or near")
         ->check(CLI::IsMember({"scope", "above", "left", "feet", "near"}));
     app.add_option("--speed", arguments.wish.speed, "Replay: 0.1 to 8")
         ->check(CLI::Range(kSlowest, kFastest));
@@ -170,23 +181,31 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     app.add_flag("--control", arguments.control,
                  "Replay: read \"camera NAME\", \"speed X\", \"seek S\", \"pause\", \"play\", "
                  "\"quit\" from standard input");
+}
+
+/// Practice, exam or study, and what belongs to it.
+void add_mode_options(CLI::App& app, Arguments& arguments, Typed& typed) {
     app.add_option("--preset", arguments.preset,
                    "Load a preset that was saved with F2; such an attempt is not scored as a pass")
         ->type_name("ID|FILE.json");
     app.add_option("--author", arguments.author, "Who saves presets (default: the login name)");
-    bool is_exam = false, is_study = false;
-    auto* exam =
-        app.add_flag("--exam", is_exam, "An exam: only the time is shown, no help, no tuning");
-    auto* study =
-        app.add_flag("--study", is_study, "A study's procedure: aids as --aids says, no tuning");
+    auto* exam = app.add_flag("--exam", typed.is_exam,
+                              "An exam: only the time is shown, no help, no tuning");
+    auto* study = app.add_flag("--study", typed.is_study,
+                               "A study's procedure: aids as --aids says, no tuning");
     study->excludes(exam);
-    app.add_option("--aids", aids, "Study: what helps, of planned_line, read_outs, warnings, depth")
+    app.add_option("--aids", typed.aids,
+                   "Study: what helps, of planned_line, read_outs, warnings, depth")
         ->type_name("NAME[,NAME]")
         ->needs(study);
     app.add_option("--min-duration", arguments.least_s,
                    "Study: ended earlier than this [s] the procedure does not count, and is asked")
         ->check(CLI::Range(0.0, 86400.0))
         ->needs(study);
+}
+
+/// Sound, and what placode-sim does beside an attempt.
+void add_other_options(CLI::App& app, Arguments& arguments) {
     app.add_option("--volume", arguments.volume_percent, "Loudness of tones and alarms [%]")
         ->check(CLI::Range(0, 100));
     app.add_flag("--mute", arguments.mute, "No sound");
@@ -203,6 +222,44 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
                  "Print the limits file that grants real time to the haptic loop");
     app.add_flag("--station-file", arguments.station_file,
                  "Print this computer's device settings as a file to begin from");
+}
+
+/// What was typed as one text, in its parts. Throws UsageError.
+void read_typed(const Typed& typed, Arguments& arguments) {
+    if (typed.is_exam) arguments.mode = curriculum::AttemptMode::kExam;
+    if (typed.is_study) arguments.mode = curriculum::AttemptMode::kStudy;
+    arguments.aids = curriculum::conduct_of(arguments.mode).aids;
+    if (typed.aids) read_aids(*typed.aids, arguments);
+    if (!typed.camera.empty()) (void)camera_named(typed.camera, arguments.wish.camera);
+    try {
+        arguments.layout = haptics::ControlLayout::parse(typed.layout);
+    } catch (const haptics::LayoutError& error) {
+        throw UsageError(std::string("--controls: ") + error.what());
+    }
+    if (!typed.size.empty()) read_size(typed.size, arguments);
+    arguments.size_given = !typed.size.empty();
+    if (!typed.position.empty()) read_position(typed.position, arguments);
+    if (!typed.screenshots.empty()) read_screenshots(typed.screenshots, arguments);
+    if (arguments.author.empty()) {
+        const char* login = std::getenv("USER");
+        arguments.author = login != nullptr ? login : "";
+    }
+}
+
+}  // namespace
+
+Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
+    Arguments arguments;
+    Typed typed;
+    exit_now = false;
+    CLI::App app("placode-sim: one attempt at a task, through the fetoscope", "placode-sim");
+    app.set_version_flag("--version", std::string("placode-sim ") + version_text(),
+                         "Version and commit");
+    add_attempt_options(app, arguments);
+    add_window_options(app, arguments, typed);
+    add_replay_options(app, arguments, typed);
+    add_mode_options(app, arguments, typed);
+    add_other_options(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {  // --help, --version
@@ -212,24 +269,7 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(usage_message(app, error));
     }
-    if (is_exam) arguments.mode = curriculum::AttemptMode::kExam;
-    if (is_study) arguments.mode = curriculum::AttemptMode::kStudy;
-    arguments.aids = curriculum::conduct_of(arguments.mode).aids;
-    if (aids) read_aids(*aids, arguments);
-    if (!camera.empty()) (void)camera_named(camera, arguments.wish.camera);
-    try {
-        arguments.layout = haptics::ControlLayout::parse(layout);
-    } catch (const haptics::LayoutError& error) {
-        throw UsageError(std::string("--controls: ") + error.what());
-    }
-    if (!size.empty()) read_size(size, arguments);
-    arguments.size_given = !size.empty();
-    if (!position.empty()) read_position(position, arguments);
-    if (!screenshots.empty()) read_screenshots(screenshots, arguments);
-    if (arguments.author.empty()) {
-        const char* login = std::getenv("USER");
-        arguments.author = login != nullptr ? login : "";
-    }
+    read_typed(typed, arguments);
     check(arguments);
     return arguments;
 }
