@@ -18,7 +18,6 @@ using view::WindowEvent;
 using Kind = view::WindowEvent::Kind;
 
 constexpr double kMeantCounts = 400;  // enough motion to mean it
-constexpr uint16_t kPadStart = 1U << 7;
 
 constexpr size_t at(Key key) { return static_cast<size_t>(key); }
 
@@ -213,29 +212,6 @@ void AttemptControls::operate_key(const WindowEvent& event) {
     }
 }
 
-void AttemptControls::hand_key(Key key) {
-    const Key does = setup_.layout.does(key);
-    if (does == Key::kCount) return;
-    // Where nothing was chosen it is the letter that counts, below.
-    if (does == Key::kL || does == Key::kM) {
-        if (key != does) commands_.push_back(does == Key::kL ? Command::kWipeLens : Command::kMute);
-        return;
-    }
-    held_.set(at(does));
-    tapped_.set(at(does));
-    ++devices_.presses[at(does)];
-}
-
-/// Letters that mean something wherever the keyboard puts them, unless their key does something
-/// else: sound and lens.
-void AttemptControls::letter(char32_t code) {
-    const auto usual = [this](Key key) { return setup_.layout.does(key) == key; };
-    if ((code == U'm' || code == U'M') && usual(Key::kM)) commands_.push_back(Command::kMute);
-    if (code == U'+') commands_.push_back(Command::kLouder);
-    if (code == U'-') commands_.push_back(Command::kSofter);
-    if ((code == U'l' || code == U'L') && usual(Key::kL)) commands_.push_back(Command::kWipeLens);
-}
-
 void AttemptControls::watch_hold() {
     holding_ = 0;
     if (!held_since_s_) return;
@@ -256,51 +232,6 @@ void AttemptControls::show(Screen screen, PauseCause cause) {
     first_help_ = false;
     held_since_s_.reset();
     hands_off();
-}
-
-/// What is held stays held for nobody: after a menu everything has to be pressed anew.
-void AttemptControls::hands_off() {
-    held_.reset();
-    tapped_.reset();
-    buttons_.reset();
-    clicked_.reset();
-}
-
-void AttemptControls::publish(const sim::WindowInput& totals, bool operating) {
-    const double wheel = totals.wheel - last_totals_.wheel;
-    const double x = totals.mouse_x - last_totals_.mouse_x;
-    const double y = totals.mouse_y - last_totals_.mouse_y;
-    last_totals_ = totals;
-    if (operating) {
-        devices_.wheel += wheel;
-        devices_.mouse_x += x;
-        devices_.mouse_y += y;
-    } else {
-        hands_off();
-    }
-    // What was pressed and let go between two pictures is seen for one of them.
-    devices_.down = held_ | tapped_;
-    for (const Key key : {Key::kShift, Key::kControl})
-        devices_.down.set(at(key), operating && haptics::is_down(totals, setup_.layout, key));
-    const size_t first = setup_.layout.buttons_exchanged ? 1 : 0;
-    devices_.left = buttons_[first] || clicked_[first];
-    devices_.right = buttons_[1 - first] || clicked_[1 - first];
-    devices_.middle = buttons_[2] || clicked_[2];
-    tapped_.reset();
-    clicked_.reset();
-    devices_.focused = totals.focused;
-    devices_.gamepad = totals.gamepad;
-    devices_.gamepad_axis = totals.gamepad_axis;
-    if (setup_.layout.sticks_exchanged)
-        for (const size_t axis : {0, 1})
-            std::swap(devices_.gamepad_axis[axis], devices_.gamepad_axis[axis + 2]);
-    devices_.gamepad_buttons = totals.gamepad_buttons & static_cast<uint16_t>(~kPadStart);
-    if (!operating) {
-        // Triggers rest at -1.
-        devices_.gamepad_axis = {0, 0, 0, 0, -1, -1};
-        devices_.gamepad_buttons = 0;
-    }
-    devices_.t_ns = totals.t_ns;
 }
 
 }  // namespace placode::ui
