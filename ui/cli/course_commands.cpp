@@ -137,68 +137,89 @@ int export_course(const Context& context, const CourseOptions& options) {
     return 0;
 }
 
-}  // namespace
+/// The group `course` of the parser, and what its commands have in common.
+struct CourseGroup {
+    CLI::App& course;
+    Context& context;
+    std::shared_ptr<CourseOptions> options;
 
-void add_course_commands(CLI::App& app, Context& context) {
-    auto options = std::make_shared<CourseOptions>();
-    CLI::App* course = app.add_subcommand("course", "Courses, assignments, what is next");
-    course->require_subcommand(1);
-    const auto command = [&](const char* name, const char* help, auto work) {
-        CLI::App* added = course->add_subcommand(name, help);
-        added->callback([&context, options, work] {
+    template <class Work>
+    CLI::App* command(const char* name, const char* help, Work work) const {
+        CLI::App* added = course.add_subcommand(name, help);
+        added->callback([&context = context, options = options, work] {
             context.run = [&context, options, work] { return work(context, *options); };
         });
         return added;
-    };
-    const auto add_id = [&](CLI::App* to) {
+    }
+    void add_id(CLI::App* to) const {
         to->add_option("ID", options->id, "Id of the course")->required();
         to->add_option("--version", options->version, "Default: the newest published")
             ->check(CLI::Range(1, 1000000));
-    };
-    command("list", "Published and shipped courses",
-            [](const Context& c, const CourseOptions&) { return list_courses(c); });
-    add_id(command("show", "One course with its stages", show));
-    command("check", "Validates a course file, changes nothing", check)
-        ->add_option("FILE", options->file, "FILE.json or id of a shipped course")
+    }
+};
+
+/// list, show, check, publish, import, export
+void add_course_text_commands(const CourseGroup& group) {
+    group.command("list", "Published and shipped courses",
+                  [](const Context& c, const CourseOptions&) { return list_courses(c); });
+    group.add_id(group.command("show", "One course with its stages", show));
+    group.command("check", "Validates a course file, changes nothing", check)
+        ->add_option("FILE", group.options->file, "FILE.json or id of a shipped course")
         ->required();
     for (const bool import : {false, true}) {
         CLI::App* added =
-            command(import ? "import" : "publish",
-                    import ? "Publishes a course file of another centre"
-                           : "Publishes a version for good; a change is a new version",
-                    [import](const Context& c, const CourseOptions& o) {
-                        return publish(c, o, import ? "imported" : "published");
-                    });
-        added->add_option("FILE", options->file, "FILE.json or id of a shipped course")->required();
-        added->add_option("--reason", options->reason, "Why there is a new version");
-        if (import) added->add_option("--id", options->new_id, "Another id for it here");
+            group.command(import ? "import" : "publish",
+                          import ? "Publishes a course file of another centre"
+                                 : "Publishes a version for good; a change is a new version",
+                          [import](const Context& c, const CourseOptions& o) {
+                              return publish(c, o, import ? "imported" : "published");
+                          });
+        added->add_option("FILE", group.options->file, "FILE.json or id of a shipped course")
+            ->required();
+        added->add_option("--reason", group.options->reason, "Why there is a new version");
+        if (import) added->add_option("--id", group.options->new_id, "Another id for it here");
     }
-    CLI::App* exported = command("export", "Writes the text of a course", export_course);
-    add_id(exported);
-    exported->add_option("--out", options->out, "FILE.json")->required();
+    CLI::App* exported = group.command("export", "Writes the text of a course", export_course);
+    group.add_id(exported);
+    exported->add_option("--out", group.options->out, "FILE.json")->required();
+}
 
-    CLI::App* assigned = command("assign", "Has a person or a group do a course", course_assign);
-    add_id(assigned);
-    assigned->add_option("--user", options->user, "Login or number");
-    assigned->add_option("--group", options->group, "Name or number");
-    assigned->add_option("--from", options->from, "First day, 2026-11-21");
-    assigned->add_option("--due", options->due, "Last day");
-    command("unassign", "Ends an assignment; what was done stays", course_unassign)
-        ->add_option("ASSIGNMENT", options->assignment, "Number")
+/// assign, unassign, assignments, grant, next
+void add_assignment_commands(const CourseGroup& group) {
+    CLI::App* assigned =
+        group.command("assign", "Has a person or a group do a course", course_assign);
+    group.add_id(assigned);
+    assigned->add_option("--user", group.options->user, "Login or number");
+    assigned->add_option("--group", group.options->group, "Name or number");
+    assigned->add_option("--from", group.options->from, "First day, 2026-11-21");
+    assigned->add_option("--due", group.options->due, "Last day");
+    group.command("unassign", "Ends an assignment; what was done stays", course_unassign)
+        ->add_option("ASSIGNMENT", group.options->assignment, "Number")
         ->required();
-    command("assignments", "Lists assignments", course_assignments)
-        ->add_option("--user", options->user, "Those that hold for this person");
-    CLI::App* granted = command("grant", "Grants attempts beyond a stage's limit", course_grant);
-    add_id(granted);
-    granted->add_option("STAGE", options->stage, "Id of the stage")->required();
-    granted->add_option("--user", options->user, "Login or number")->required();
-    granted->add_option("--attempts", options->attempts, "How many")->capture_default_str();
-    granted->add_option("--reason", options->reason, "Why")->required();
+    group.command("assignments", "Lists assignments", course_assignments)
+        ->add_option("--user", group.options->user, "Those that hold for this person");
+    CLI::App* granted =
+        group.command("grant", "Grants attempts beyond a stage's limit", course_grant);
+    group.add_id(granted);
+    granted->add_option("STAGE", group.options->stage, "Id of the stage")->required();
+    granted->add_option("--user", group.options->user, "Login or number")->required();
+    granted->add_option("--attempts", group.options->attempts, "How many")->capture_default_str();
+    granted->add_option("--reason", group.options->reason, "Why")->required();
     CLI::App* following =
-        command("next", "Where a person stands, what is next and why", course_next);
-    following->add_option("--user", options->user, "Login or number (default: whoever acts)");
-    following->add_option("--course", options->id, "Also when it is not assigned");
-    following->add_option("--at", options->at, "As on this day (default: now)");
+        group.command("next", "Where a person stands, what is next and why", course_next);
+    following->add_option("--user", group.options->user, "Login or number (default: whoever acts)");
+    following->add_option("--course", group.options->id, "Also when it is not assigned");
+    following->add_option("--at", group.options->at, "As on this day (default: now)");
+}
+
+}  // namespace
+
+void add_course_commands(CLI::App& app, Context& context) {
+    CLI::App* course = app.add_subcommand("course", "Courses, assignments, what is next");
+    course->require_subcommand(1);
+    const CourseGroup group{*course, context, std::make_shared<CourseOptions>()};
+    add_course_text_commands(group);
+    add_assignment_commands(group);
 }
 
 }  // namespace placode::cli

@@ -54,6 +54,34 @@ int run(const cli::Context& context) {
     }
 }
 
+// In the order of the help.
+void add_commands(CLI::App& app, cli::Context& context) {
+    cli::add_user_commands(app, context);
+    cli::add_store_commands(app, context);
+    cli::add_store_move_command(app, context);
+    cli::add_metrics_commands(app, context);
+    cli::add_import_command(app, context);
+    cli::add_stats_commands(app, context);
+    cli::add_report_commands(app, context);
+    cli::add_solve_command(app, context);
+    cli::add_export_command(app, context);
+    cli::add_study_commands(app, context);
+    cli::add_people_commands(app, context);
+    cli::add_course_commands(app, context);
+    cli::add_group_commands(app, context);
+    cli::add_station_commands(app, context);
+    cli::add_standard_commands(app, context);
+    cli::add_rescore_commands(app, context);
+    cli::add_verify_command(app, context);
+    cli::add_norms_commands(app, context);
+    cli::add_batch_commands(app, context);
+    cli::add_dataset_command(app, context);
+    cli::add_bench_commands(app, context);
+    cli::add_lti_commands(app, context);
+    cli::add_xapi_command(app, context);
+    cli::add_demo_commands(app, context);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -82,30 +110,7 @@ int main(int argc, char** argv) {
     app.add_option("--as", context.as_user,
                    "Act as this user; the password comes from $PLACODE_PASSWORD or is asked for");
     app.add_flag("--json", context.json, "One JSON document instead of text");
-    cli::add_user_commands(app, context);
-    cli::add_store_commands(app, context);
-    cli::add_store_move_command(app, context);
-    cli::add_metrics_commands(app, context);
-    cli::add_import_command(app, context);
-    cli::add_stats_commands(app, context);
-    cli::add_report_commands(app, context);
-    cli::add_solve_command(app, context);
-    cli::add_export_command(app, context);
-    cli::add_study_commands(app, context);
-    cli::add_people_commands(app, context);
-    cli::add_course_commands(app, context);
-    cli::add_group_commands(app, context);
-    cli::add_station_commands(app, context);
-    cli::add_standard_commands(app, context);
-    cli::add_rescore_commands(app, context);
-    cli::add_verify_command(app, context);
-    cli::add_norms_commands(app, context);
-    cli::add_batch_commands(app, context);
-    cli::add_dataset_command(app, context);
-    cli::add_bench_commands(app, context);
-    cli::add_lti_commands(app, context);
-    cli::add_xapi_command(app, context);
-    cli::add_demo_commands(app, context);
+    add_commands(app, context);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -108,66 +108,71 @@ std::string load_words() {
            " processors): look at the processor times";
 }
 
-int run(const Context& context, StoreBenchOptions options) {
-    if (options.quick) {
-        options.users = std::min(options.users, 50);
-        options.attempts = std::min<int64_t>(options.attempts, 2000);
-        options.runs = 3;
-        options.simulate_s = std::min(options.simulate_s, 1.0);
+/// What was measured.
+struct StoreTimes {
+    db::LoadResult load;
+    double fill_s = 0, before_mb = 0, pages_mb = 0, memory_mb = 0;
+    std::vector<PageRow> rows;
+    bench::ShellPages shell;
+
+    [[nodiscard]] bool kept() const {
+        return memory_mb <= kMemoryLimitMb && shell.peak_memory_mb <= kMemoryLimitMb &&
+               std::all_of(rows.begin(), rows.end(), [](const PageRow& row) { return row.kept(); });
     }
-    const ScratchFolder folder;
-    const std::string url =
-        context.store_url.empty() ? "sqlite:" + folder.path() + "/bench.db" : context.store_url;
+};
+
+StoreTimes measure(const std::string& url, const StoreBenchOptions& options,
+                   const ScratchFolder& folder) {
+    StoreTimes times;
     const auto start = Clock::now();
-    const db::LoadResult load = fill(url, options, folder);
-    const double fill_s = std::chrono::duration<double>(Clock::now() - start).count();
+    times.load = fill(url, options, folder);
+    times.fill_s = std::chrono::duration<double>(Clock::now() - start).count();
     const auto store = db::open_store(url);
     store->act_as("bench store");
     bench::forget_peak();
-    const double before_mb = bench::peak_memory_mb();
+    times.before_mb = bench::peak_memory_mb();
     bench::StorePages measured(*store, options.runs, [](const PageRow& row) {
         std::cerr << row.page << ", " << row.query << ": " << fixed(row.median_ms, 1)
                   << " ms, processor " << fixed(row.processor_ms, 1) << " ms\n";
     });
-    measured.pages(load);
-    const double pages_mb = bench::peak_memory_mb();
-    measured.reports(load, folder.path());
-    const double memory_mb = bench::peak_memory_mb();
+    measured.pages(times.load);
+    times.pages_mb = bench::peak_memory_mb();
+    measured.reports(times.load, folder.path());
+    times.memory_mb = bench::peak_memory_mb();
     if (options.sealed) measured.check();
-    bench::ShellPages shell;
     if (options.no_shell)
-        shell.problem = "--no-shell was given";
+        times.shell.problem = "--no-shell was given";
     else
-        shell = bench::time_shell_pages(url, *store, load.first_user + load.users / 2);
-    for (const bench::ShellPage& each : shell.pages)
+        times.shell =
+            bench::time_shell_pages(url, *store, times.load.first_user + times.load.users / 2);
+    for (const bench::ShellPage& each : times.shell.pages)
         measured.rows.push_back({"Shell: " + each.page, "opened by " + each.who, 1, each.first_ms,
                                  each.median_ms, each.worst_ms, kPageLimitMs, each.processor_ms});
-    const bool kept = memory_mb <= kMemoryLimitMb && shell.peak_memory_mb <= kMemoryLimitMb &&
-                      std::all_of(measured.rows.begin(), measured.rows.end(),
-                                  [](const PageRow& row) { return row.kept(); });
+    times.rows = measured.rows;
+    return times;
+}
+
+Json times_json(const std::string& url, const StoreBenchOptions& options, const StoreTimes& times) {
     Json json{{"benchmark", "store"},
               {"engine", url.starts_with("sqlite:") ? "sqlite" : "postgresql"},
               {"machine", machine()},
-              {"users", load.users},
-              {"attempts", load.attempts},
-              {"multiplied_from", load.sources},
-              {"rows", load.rows},
-              {"fill_s", fill_s},
+              {"users", times.load.users},
+              {"attempts", times.load.attempts},
+              {"multiplied_from", times.load.sources},
+              {"rows", times.load.rows},
+              {"fill_s", times.fill_s},
               {"simulated_s", options.simulate_s},
               {"runs", options.runs},
-              {"memory_before_mb", before_mb},
-              {"peak_memory_pages_mb", pages_mb},
-              {"peak_memory_mb", memory_mb},
-              {"shell_peak_memory_mb", shell.peak_memory_mb},
-              {"shell_problem", shell.problem},
-              {"shell_pages", shell_json(shell)},
+              {"memory_before_mb", times.before_mb},
+              {"peak_memory_pages_mb", times.pages_mb},
+              {"peak_memory_mb", times.memory_mb},
+              {"shell_peak_memory_mb", times.shell.peak_memory_mb},
+              {"shell_problem", times.shell.problem},
+              {"shell_pages", shell_json(times.shell)},
               {"memory_limit_mb", kMemoryLimitMb},
-              {"all_kept", kept},
+              {"all_kept", times.kept()},
               {"queries", Json::array()}};
-    std::vector<std::vector<std::string>> cells{{"page", "asks for", "rows", "first ms",
-                                                 "median ms", "worst ms", "processor ms",
-                                                 "limit ms", ""}};
-    for (const PageRow& row : measured.rows) {
+    for (const PageRow& row : times.rows)
         json["queries"].push_back({{"page", row.page},
                                    {"query", row.query},
                                    {"rows", row.rows},
@@ -177,22 +182,49 @@ int run(const Context& context, StoreBenchOptions options) {
                                    {"processor_ms", row.processor_ms},
                                    {"limit_ms", row.limit_ms},
                                    {"kept", row.kept()}});
+    return json;
+}
+
+/// A table of all queries, and a sentence on people, attempts, memory and limits.
+std::string times_text(const std::string& engine, const StoreTimes& times) {
+    std::vector<std::vector<std::string>> cells{{"page", "asks for", "rows", "first ms",
+                                                 "median ms", "worst ms", "processor ms",
+                                                 "limit ms", ""}};
+    for (const PageRow& row : times.rows) {
         cells.push_back({row.page, row.query, std::to_string(row.rows), fixed(row.first_ms, 1),
                          fixed(row.median_ms, 1), fixed(row.worst_ms, 1),
                          fixed(row.processor_ms, 1), fixed(row.limit_ms, 0),
                          row.kept() ? "" : "TOO SLOW"});
     }
-    if (!options.out.empty()) write_files(options, json, measured.rows);
-    print(context, json,
-          table(cells) + json["engine"].get<std::string>() + ", " + std::to_string(load.users) +
-              " people, " + std::to_string(load.attempts) + " attempts multiplied from " +
-              std::to_string(load.sources) + " simulated ones (" + std::to_string(load.rows) +
-              " rows, " + fixed(fill_s, 1) + " s); peak memory " + fixed(pages_mb, 0) +
-              " MB for the pages, " + fixed(memory_mb, 0) + " MB with reports, " +
-              (shell.problem.empty() ? fixed(shell.peak_memory_mb, 0) + " MB for the shell"
-                                     : "the shell was not measured: " + shell.problem) +
-              " (limit " + fixed(kMemoryLimitMb, 0) + "); " +
-              (kept ? "all limits kept" : "NOT all limits kept") + load_words());
+    return table(cells) + engine + ", " + std::to_string(times.load.users) + " people, " +
+           std::to_string(times.load.attempts) + " attempts multiplied from " +
+           std::to_string(times.load.sources) + " simulated ones (" +
+           std::to_string(times.load.rows) + " rows, " + fixed(times.fill_s, 1) +
+           " s); peak memory " + fixed(times.pages_mb, 0) + " MB for the pages, " +
+           fixed(times.memory_mb, 0) + " MB with reports, " +
+           (times.shell.problem.empty() ? fixed(times.shell.peak_memory_mb, 0) + " MB for the shell"
+                                        : "the shell was not measured: " + times.shell.problem) +
+           " (limit " + fixed(kMemoryLimitMb, 0) + "); " +
+           (times.kept() ? "all limits kept" : "NOT all limits kept") + load_words();
+}
+
+StoreBenchOptions in_short(StoreBenchOptions options) {
+    options.users = std::min(options.users, 50);
+    options.attempts = std::min<int64_t>(options.attempts, 2000);
+    options.runs = 3;
+    options.simulate_s = std::min(options.simulate_s, 1.0);
+    return options;
+}
+
+int run(const Context& context, const StoreBenchOptions& asked) {
+    const StoreBenchOptions options = asked.quick ? in_short(asked) : asked;
+    const ScratchFolder folder;
+    const std::string url =
+        context.store_url.empty() ? "sqlite:" + folder.path() + "/bench.db" : context.store_url;
+    const StoreTimes times = measure(url, options, folder);
+    const Json json = times_json(url, options, times);
+    if (!options.out.empty()) write_files(options, json, times.rows);
+    print(context, json, times_text(json["engine"].get<std::string>(), times));
     return 0;
 }
 
