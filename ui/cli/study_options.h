@@ -3,6 +3,7 @@
 #pragma once
 // What the commands of studies and questionnaires share.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,11 @@ std::string need_code(const std::string& code);
 /// Of the published consent; none without a protocol.
 [[nodiscard]] std::vector<std::string> required_statements(Session& session,
                                                            const std::string& study);
+
+// study_definition_commands.cpp
+/// list, show, publish of a kind of definition: "study" or "questionnaire".
+void add_definition_commands(CLI::App& group, Context& context, const std::string& kind,
+                             const std::shared_ptr<StudyOptions>& options);
 
 // study_answer_commands.cpp
 int study_answer(const Context& context, const StudyOptions& options);
