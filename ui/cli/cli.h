@@ -40,6 +40,7 @@ void add_user_commands(CLI::App& app, Context& context);
 void add_store_commands(CLI::App& app, Context& context);
 void add_store_move_command(CLI::App& app, Context& context);
 void add_metrics_commands(CLI::App& app, Context& context);
+void add_score_command(CLI::App& app, Context& context);
 void add_import_command(CLI::App& app, Context& context);
 void add_stats_commands(CLI::App& app, Context& context);
 void add_report_commands(CLI::App& app, Context& context);

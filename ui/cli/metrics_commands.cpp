@@ -1,32 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// placodectl metrics | contour | score
+// placodectl metrics | contour. The score: score_command.cpp.
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <numbers>
 #include <optional>
 
 #include "assessment/bites.h"
 #include "assessment/phases.h"
-#include "assessment/scoring.h"
 #include "assessment/signal.h"
 #include "assessment/signal_metrics.h"
-#include "assessment/soundness.h"
 #include "assessment/tissue_metrics.h"
-#include "curriculum/task.h"
-#include "db/evidence.h"
-#include "db/recording_file.h"
-#include "db/store.h"
-#include "haptics/certificate.h"
 #include "ui/cli/cli.h"
+#include "ui/cli/recording_output.h"
 
 namespace placode::cli {
 namespace {
 
 struct MetricsOptions {
-    std::string file, task, plan;
+    std::string file, plan;
     double tolerance_mm = 1;
     bool recover = false, phases = false;
     double threshold_n = -1;
@@ -46,52 +39,6 @@ auto as_bad_file(Work&& work) {
     } catch (const assessment::SignalError& error) {
         throw InputError(error.what());
     }
-}
-
-// A recording that cannot be read is bad input.
-sim::Recording load_recording(const MetricsOptions& options, std::string& damage) {
-    try {
-        auto recovered = db::recover_recording_file(options.file);
-        damage = recovered.damage;
-        if (!damage.empty() && !options.recover)
-            throw InputError("read the recording " + options.file + ": " + damage +
-                             "; --recover uses what is whole");
-        return std::move(recovered.recording);
-    } catch (const db::StoreError& error) {
-        throw InputError(error.what());
-    }
-}
-
-Json recording_head(const sim::Recording& recording, const std::string& damage) {
-    constexpr std::array<const char*, 5> kEnds{"running", "finished", "time limit", "closed",
-                                               "interrupted"};
-    Json json{{"task", recording.header.task_id},
-              {"task_version", recording.header.task_version},
-              {"device", recording.header.device},
-              {"seed", recording.header.seed},
-              {"build", recording.header.build},
-              {"demonstration", recording.header.demonstration},
-              {"duration_s", recording.end.duration_s},
-              {"end", kEnds[static_cast<size_t>(recording.end.reason) % kEnds.size()]},
-              {"dropped", recording.end.dropped}};
-    if (!damage.empty()) json["damage"] = damage;
-    return json;
-}
-
-Json to_json(const assessment::MetricSet& metrics) {
-    Json values = Json::object();
-    for (const auto& metric : metrics.values) values[metric.id] = metric.value;
-    return values;
-}
-
-std::string metric_table(const assessment::MetricSet& metrics) {
-    std::vector<std::vector<std::string>> rows{{"metric", "value", "unit"}};
-    for (const auto& metric : metrics.values) {
-        const auto* known = assessment::metric_definition(metric.id);
-        rows.push_back(
-            {metric.id, fixed(metric.value, 3), known == nullptr ? "" : std::string(known->unit)});
-    }
-    return table(rows);
 }
 
 /// The bites of a running suture, one by one; nothing for other tasks.
@@ -128,12 +75,12 @@ void add_bites(const sim::Recording& recording, Json& json, std::string& text) {
 
 int metrics_of_recording(const Context& context, const MetricsOptions& options) {
     std::string damage;
-    const sim::Recording recording = load_recording(options, damage);
+    const sim::Recording recording = load_recording(options.file, options.recover, damage);
     const auto metrics = assessment::compute_metrics(recording);
     Json json = recording_head(recording, damage);
     json["metric_set_version"] = metrics.version;
     json["preprocessing_version"] = assessment::kPreprocessingVersion;
-    json["metrics"] = to_json(metrics);
+    json["metrics"] = metrics_json(metrics);
     std::string text = (damage.empty() ? "" : "damaged: " + damage + "\n") + metric_table(metrics);
     add_bites(recording, json, text);
     if (options.phases) {
@@ -143,7 +90,7 @@ int metrics_of_recording(const Context& context, const MetricsOptions& options) 
             json["phases"].push_back({{"phase", name},
                                       {"from_s", part.from_s},
                                       {"to_s", part.to_s},
-                                      {"metrics", to_json(part.metrics)}});
+                                      {"metrics", metrics_json(part.metrics)}});
             text += "\n" + name + ", " + fixed(part.from_s, 1) + " to " + fixed(part.to_s, 1) +
                     " s\n" + metric_table(part.metrics);
         }
@@ -228,72 +175,6 @@ int contour(const Context& context, const MetricsOptions& options) {
     return 0;
 }
 
-/// The task that was asked for, else the program's own of the recording's id and version. Only
-/// where there is none, and the result says so, the one that the recording carries.
-curriculum::Task task_to_score_by(const sim::Recording& recording, const MetricsOptions& options,
-                                  bool& published) {
-    if (!options.task.empty()) return curriculum::load_task(options.task);
-    const auto shipped = db::shipped_task(recording.header.task_id);
-    published = shipped && shipped->version == recording.header.task_version;
-    return published ? *shipped
-                     : curriculum::load_task_text(recording.header.task_json,
-                                                  options.file + " (its task)");
-}
-
-int score(const Context& context, const MetricsOptions& options) {
-    std::string damage;
-    const sim::Recording recording = load_recording(options, damage);
-    bool published = true;
-    const curriculum::Task task = task_to_score_by(recording, options, published);
-    if (const std::string problem = assessment::unsound(recording); !problem.empty())
-        throw InputError(options.file + ": the recording cannot be scored: " + problem);
-    const auto metrics = assessment::compute_metrics(recording);
-    const auto result = assessment::score_attempt(task.rubric, metrics, recording);
-    const std::string verdict = assessment::verdict_name(result.verdict);
-    Json json = recording_head(recording, damage);
-    json["points"] = result.points;
-    json["verdict"] = verdict;
-    json["rubric"] = result.rubric_id;
-    json["rubric_version"] = result.rubric_version;
-    json["metric_set_version"] = result.metric_set_version;
-    json["published_task"] = published;
-    json["reasons"] = Json::array();
-    std::string text = "score " + fixed(result.points, 1) + " of 100: " + verdict + " (" + task.id +
-                       " version " + std::to_string(task.version) + ", " + recording.header.device +
-                       (recording.header.demonstration ? ", demonstration" : "") + ")\n";
-    if (!damage.empty()) text += "damaged: " + damage + "\n";
-    if (task.id != recording.header.task_id)
-        text += "the recording is of another task: " + recording.header.task_id + "\n";
-    if (!published)
-        text += "not verified: no such task is published here, the recording's own was used\n";
-    std::vector<std::vector<std::string>> rows;
-    for (const auto& reason : result.reasons) {
-        json["reasons"].push_back({{"item", reason.item},
-                                   {"text", reason.text},
-                                   {"points", reason.points},
-                                   {"time_s", reason.time_s},
-                                   {"critical", reason.critical}});
-        // A critical error may fail the attempt without taking points.
-        rows.push_back({reason.points > 0 ? "  -" + fixed(reason.points, 1) : "  !", reason.text,
-                        reason.time_s < 0 ? "" : "at " + fixed(reason.time_s, 1) + " s",
-                        reason.critical ? "critical" : ""});
-    }
-    json["metrics"] = to_json(metrics);
-    json["haptics"] = nullptr;
-    if (const std::string found = db::haptic_certificate(options.file); !found.empty()) {
-        const auto verdict = haptics::judge(haptics::certificate_from_json(found));
-        json["haptics"] = Json::parse(found, nullptr, false);
-        // Judged again with the limits of today.
-        json["haptics"]["grade"] = haptics::grade_name(verdict.grade);
-        json["haptics"]["reasons"] = verdict.reasons;
-        if (verdict.grade != haptics::CertificateGrade::kNotApplicable)
-            text += "haptic certificate: " + std::string(haptics::grade_name(verdict.grade)) + "\n";
-        for (const std::string& reason : verdict.reasons) text += "  " + reason + "\n";
-    }
-    print(context, json, text + table(rows) + "\n" + metric_table(metrics));
-    return 0;
-}
-
 }  // namespace
 
 void add_metrics_commands(CLI::App& app, Context& context) {
@@ -322,15 +203,7 @@ void add_metrics_commands(CLI::App& app, Context& context) {
         context.run = [&context, options] { return contour(context, *options); };
     });
 
-    CLI::App* score_command =
-        app.add_subcommand("score", "Metrics, score and reasons of a recording");
-    score_command->add_option("FILE", options->file, "FILE.placode")->required();
-    score_command->add_option("--task", options->task,
-                              "Task id or FILE.json (default: the task in the recording)");
-    score_command->add_flag("--recover", options->recover, "Use what stands before the damage");
-    score_command->callback([&context, options] {
-        context.run = [&context, options] { return score(context, *options); };
-    });
+    add_score_command(app, context);
 }
 
 }  // namespace placode::cli
