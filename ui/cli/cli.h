@@ -54,6 +54,7 @@ void add_rescore_commands(CLI::App& app, Context& context);
 void add_verify_command(CLI::App& app, Context& context);
 void add_norms_commands(CLI::App& app, Context& context);
 void add_people_commands(CLI::App& app, Context& context);
+void add_erasure_commands(CLI::App& user, Context& context);
 void add_bench_commands(CLI::App& app, Context& context);
 void add_contact_bench_command(CLI::App& bench, Context& context);
 void add_scaling_command(CLI::App& bench, Context& context);
