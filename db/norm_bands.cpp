@@ -173,13 +173,14 @@ curriculum::NormPack make_norms(const std::vector<LevelAttempts>& levels, const 
     return pack;
 }
 
-int64_t keep_own_norms(Store& store, const curriculum::NormPack& pack) {
-    const CentreKey key = store.norms().centre_key(pack.centre);
+int64_t keep_own_norms(Store& store, const curriculum::NormPack& pack,
+                       const std::string& passphrase) {
+    const OpenCentreKey key = store.norms().open_centre_key(pack.centre, passphrase);
     curriculum::NormPack own = pack;
     own.centre = key.centre;
     curriculum::SignedNorms norms;
     norms.content = curriculum::norm_pack_text(own);
-    norms.signature = sign_text(norms.content, key.secret_key);
+    norms.signature = sign_text(norms.content, key.secret_key.text());
     norms.public_key = key.public_key;
     return store.norms().save(norms);
 }

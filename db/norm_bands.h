@@ -45,8 +45,11 @@ struct LevelAttempts {
                                               const std::string& centre,
                                               const std::string& made_utc, int least);
 
-/// Signs with the centre's key, which is made when it is missing, and keeps the pack.
-int64_t keep_own_norms(Store& store, const curriculum::NormPack& pack);
+/// Signs with the centre's key, which its passphrase opens, and keeps the pack. The key is made
+/// when it is missing, and sealed when it lies in clear (Norms::open_centre_key, which it throws
+/// as).
+int64_t keep_own_norms(Store& store, const curriculum::NormPack& pack,
+                       const std::string& passphrase);
 
 /// The pack in use for a task, if there is one.
 [[nodiscard]] std::optional<NormPackRecord> norms_in_use(Store& store, const std::string& task_id);

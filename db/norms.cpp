@@ -16,32 +16,6 @@ using Kind = StoreError::Kind;
 
 Norms::Norms(StoreContext& context) : context_(context), connection_(context.connection) {}
 
-CentreKey Norms::centre_key(const std::string& centre) {
-    connection_.begin_operation("read the centre's key from");
-    context_.need(Action::kSetStandards);
-    UnitOfWork work(connection_);
-    connection_.lock_table("centre_key");
-    Statement query(connection_, "SELECT centre, public_key, secret_key FROM centre_key");
-    if (query.run().next()) return {query.text(0), query.text(1), query.text(2)};
-    if (centre.empty())
-        connection_.fail(Kind::kRefused,
-                         "the centre has no name yet; give it with the first norm pack");
-    const KeyPair pair = new_key_pair();
-    Statement(connection_,
-              "INSERT INTO centre_key (id, centre, public_key, secret_key, made_utc) VALUES (1, ?, "
-              "?, ?, ?)")
-        .run(centre, pair.public_key, pair.secret_key, utc_now());
-    Statement(connection_,
-              "INSERT INTO trusted_centres (public_key, centre, added_by, added_utc) VALUES (?, ?, "
-              "?, ?)")
-        .run(pair.public_key, centre, context_.actor.name, utc_now());
-    context_.made("centre key", 1);
-    context_.made("centre", {pair.public_key});
-    context_.append_audit("norms.key", centre, fingerprint(pair.public_key));
-    work.commit();
-    return {centre, pair.public_key, pair.secret_key};
-}
-
 std::string Norms::centre_name() {
     connection_.begin_operation("read the centre's name from");
     context_.need(Action::kUseStore);

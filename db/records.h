@@ -198,9 +198,10 @@ struct MeasuredAttempt {
     assessment::MetricSet metrics;
 };
 
-/// The key with which this centre signs its norms, hexadecimal.
+/// The key with which this centre signs its norms, without its secret half. Hexadecimal.
 struct CentreKey {
-    std::string centre, public_key, secret_key;
+    std::string centre, public_key, made_utc;
+    bool sealed = false;  ///< Under a passphrase; false: an earlier version kept it in clear.
 };
 
 struct NormPackRecord {

@@ -68,7 +68,7 @@ class MoveTest : public testing::Test {
         const auto store = open(url);
         full.fill(*store, *open(url), folder);
         (void)open(url)->accounts().sign_in("anna", "not her password");
-        (void)store->norms().centre_key("Ours");
+        (void)store->norms().open_centre_key("Ours", kPassphrase);
         const curriculum::Course course = curriculum::load_course("first_steps");
         db::DefinitionRecord definition;
         definition.kind = "course";

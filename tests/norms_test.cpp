@@ -126,8 +126,9 @@ TEST_P(Norms, APackIsSignedKeptOnceAndUsedForItsTask) {
     const auto pack = db::make_norms(
         db::level_attempts(*store, "diathermy_ring", {{"expert", level("e", 5, 80, 100)}}), "A",
         kDay, 5);
-    const int64_t id = db::keep_own_norms(*store, pack);
-    EXPECT_EQ(db::keep_own_norms(*store, pack), id) << "Ed25519 signs the same text the same way";
+    const int64_t id = db::keep_own_norms(*store, pack, kPassphrase);
+    EXPECT_EQ(db::keep_own_norms(*store, pack, kPassphrase), id)
+        << "Ed25519 signs the same text the same way";
     const auto record = store->norms().list("diathermy_ring").at(0);
     EXPECT_TRUE(db::signature_is_right(record.norms.content, record.norms.signature,
                                        record.norms.public_key));
@@ -136,7 +137,7 @@ TEST_P(Norms, APackIsSignedKeptOnceAndUsedForItsTask) {
     ASSERT_TRUE(db::norms_in_use(*store, "diathermy_ring"));
     auto later = pack;
     later.made_utc = "2026-02-01";
-    const int64_t other = db::keep_own_norms(*store, later);
+    const int64_t other = db::keep_own_norms(*store, later, kPassphrase);
     store->norms().use(other);
     EXPECT_EQ(db::norms_in_use(*store, "diathermy_ring")->id, other) << "one at a time";
     EXPECT_THAT(store->norms().list("grasp_and_lift"), IsEmpty());

@@ -56,6 +56,9 @@ class TemporaryFolder {
     fs::path path_;
 };
 
+/// Of the centre's key, in every test that signs with it.
+inline constexpr const char* kPassphrase = "four words are good";
+
 /// A connection of the test itself, past the store, for faults and for looking behind it.
 class RawConnection {
  public:

@@ -240,7 +240,9 @@ TEST_F(TrainingPrograms, StandardsAreSetFromGroupsAndExchangedSigned) {
             direct->attempts().set_replay(each.id, db::ReplayState::kIdentical, "");
     }
     EXPECT_THAT(as("ewa", make).err, HasSubstr("no name yet"));
-    const Outcome made = as("ewa", "--json " + make + "--centre Here");
+    EXPECT_THAT(as("ewa", make + "--centre Here").err, HasSubstr("PLACODE_NEW_PASSPHRASE"));
+    const Outcome made = ctl("--as ewa --json " + make + "--centre Here",
+                             kRight + std::string(" PLACODE_NEW_PASSPHRASE='four words are good'"));
     ASSERT_EQ(made.status, 0) << made.err;
     EXPECT_THAT(made.out, AllOf(HasSubstr("\"persons\": 5"), Not(HasSubstr("Person"))));
     EXPECT_THAT(as("anna", "norms list").out, HasSubstr("expert 5, novice 5"));

@@ -48,8 +48,10 @@ inline int64_t add_norms(db::Store& store) {
         for (const db::AttemptRecord& each : store.attempts().list(expert))
             store.attempts().set_replay(each.id, db::ReplayState::kIdentical, "");
     const int64_t id = db::keep_own_norms(
-        store, db::make_norms(db::level_attempts(store, "diathermy_ring", {{"expert", experts}}),
-                              "Szpital", "2026-01-20", 5));
+        store,
+        db::make_norms(db::level_attempts(store, "diathermy_ring", {{"expert", experts}}),
+                       "Szpital", "2026-01-20", 5),
+        kPassphrase);
     store.norms().use(id);
     return id;
 }

@@ -81,7 +81,8 @@ inline void FullStore::addNorms(const std::vector<int64_t>& novices,
     const auto levels =
         db::level_attempts(store(), kTask, {{"expert", experts}, {"novice", novices}});
     const int64_t pack = db::keep_own_norms(
-        store(), db::make_norms(levels, "Demonstration centre", "2026-04-01T10:00:00Z", 5));
+        store(), db::make_norms(levels, "Demonstration centre", "2026-04-01T10:00:00Z", 5),
+        "four words are good");
     store().norms().use(pack);
 }
 

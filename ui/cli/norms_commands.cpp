@@ -11,6 +11,8 @@
 #include "db/signature.h"
 #include "sim/core/counted.h"
 #include "sim/core/near_word.h"
+#include "ui/cli/centre_passphrase.h"
+#include "ui/cli/norms_key_commands.h"
 #include "ui/cli/norms_quality.h"
 #include "ui/cli/people.h"
 
@@ -22,6 +24,7 @@ using db::Scope;
 
 struct NormsOptions {
     std::string task, file, centre, metric = "points", novices, experts, level = "expert";
+    std::string passphrase_file;
     std::vector<std::string> levels;
     QualityOptions quality;
     int64_t id = 0;
@@ -95,12 +98,16 @@ int make(const Context& context, const NormsOptions& options) {
     Session session = educator(context);
     const auto levels =
         db::level_attempts(session.store(), options.task, people_of(session, options.levels));
-    const int64_t id = as_input(
-        [&] {
-            return db::keep_own_norms(
-                session.store(), db::make_norms(levels, options.centre, now_utc(), options.least));
-        },
-        db::StoreError::Kind::kNotFound);
+    const auto pack =
+        as_input([&] { return db::make_norms(levels, options.centre, now_utc(), options.least); });
+    // Before anybody is asked for a passphrase.
+    if (options.centre.empty() && !session.store().norms().centre_key())
+        throw InputError(
+            "the centre has no name yet; give it with the first norm pack: --centre NAME");
+    const db::Secret phrase = passphrase_to_sign(session, options.passphrase_file);
+    const int64_t id =
+        as_input([&] { return db::keep_own_norms(session.store(), pack, phrase.text()); },
+                 db::StoreError::Kind::kNotFound);
     const auto record = find_pack(session, id);
     print(context, pack_json(record), pack_text(record));
     return 0;
@@ -310,6 +317,11 @@ void add_norms_commands(CLI::App& app, Context& context) {
     made->add_option("--least", options->least, "Least persons a group")
         ->check(CLI::Range(curriculum::kLeastNormGroup, 1000))
         ->capture_default_str();
+    made->add_option("--passphrase-file", options->passphrase_file,
+                     "The passphrase of the centre's key in the first line of FILE (mode 600); "
+                     "else typed")
+        ->type_name("FILE");
+    add_norms_key_commands(*norms, context);
     command("list", "Lists norm packs", list)->add_option("--task", options->task, "Task id");
     command("show", "One norm pack", show)
         ->add_option("ID", options->id, "Number of the pack, see `norms list`")

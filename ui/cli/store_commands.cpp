@@ -9,6 +9,7 @@
 
 #include "db/erasure.h"
 #include "db/store_url.h"
+#include "ui/cli/centre_passphrase.h"
 #include "ui/cli/scratch_folder.h"
 #include "ui/cli/session.h"
 
@@ -31,9 +32,12 @@ int check(const Context& context, const std::vector<std::string>& heads) {
     else
         text += session.store().url() + ": " + std::to_string(problems.size()) +
                 " problem(s); restore a backup with `placodectl restore FILE`";
-    print(context,
-          {{"store", session.store().url()}, {"sound", problems.empty()}, {"problems", problems}},
-          text);
+    // No damage, so that a backup of such a store is made all the same.
+    const std::string note = clear_key_note(session);
+    Json json{
+        {"store", session.store().url()}, {"sound", problems.empty()}, {"problems", problems}};
+    if (!note.empty()) json["notes"] = Json::array({note});
+    print(context, json, note.empty() ? text : text + "\nnote: " + note);
     return problems.empty() ? 0 : 1;
 }
 
@@ -41,8 +45,12 @@ int backup(const Context& context, const std::string& path) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kBackup, Scope::kOther);
     session.store().backup(path);
-    print(context, {{"store", session.store().url()}, {"backup", path}},
-          "backed up " + session.store().url() + " to " + path);
+    const std::string note = clear_key_note(session);
+    Json json{{"store", session.store().url()}, {"backup", path}};
+    if (!note.empty()) json["notes"] = Json::array({note});
+    print(context, json,
+          "backed up " + session.store().url() + " to " + path +
+              (note.empty() ? "" : "\nnote: " + note));
     return 0;
 }
 

@@ -11,6 +11,7 @@
 #include "ui/shell/diagnostics_dialog.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/passphrase_dialog.h"
 
 namespace placode::ui {
 namespace {
@@ -52,6 +53,7 @@ class HealthPage : public Page {
         where->setObjectName("store_place");
         layout->addWidget(where);
         if (!embedded) addLogIn(layout);
+        addClearKey(layout);
         outcome_ = make_label(tr("Not checked since this page was opened."));
         outcome_->setObjectName("check_outcome");
         layout->addWidget(outcome_);
@@ -77,6 +79,45 @@ class HealthPage : public Page {
         auto* exact = new Details(context_);
         exact->setText(problems.join("\n"));
         layout->addWidget(exact);
+    }
+
+    /// An earlier version kept the centre's key as it is. No damage: the check finds none.
+    void addClearKey(QVBoxLayout* layout) {
+        const auto key = context_.store().norms().centre_key();
+        if (!key || key->sealed) return;
+        clear_key_ = new QWidget;
+        auto* inside = new QVBoxLayout(clear_key_);
+        inside->setContentsMargins(0, 0, 0, 0);
+        inside->setSpacing(kSpace8);
+        QLabel* said = make_label(
+            tr("The centre's signing key lies in clear in this store and in its backups: whoever "
+               "reads them can sign norm packs in the centre's name. Put it under a passphrase "
+               "here, or with `placodectl norms key seal`."),
+            "critical");
+        said->setObjectName("clear_key");
+        inside->addWidget(said);
+        QPushButton* seal = make_button(context_, tr("Choose a passphrase"), "secondary", "key");
+        seal->setObjectName("seal_key");
+        connect(seal, &QPushButton::clicked, this, [this] { sealKey(); });
+        inside->addWidget(seal, 0, Qt::AlignLeft);
+        layout->addWidget(clear_key_);
+    }
+
+    void sealKey() {
+        const PassphraseQuestion question{
+            tr("Whoever signs norm packs of this centre needs it from now on. Keep it in another "
+               "place; without it only a new key helps."),
+            tr("Seal the key"), true};
+        const bool sealed =
+            ask_passphrase(context_, this, question, [this](const std::string& passphrase) {
+                context_.require(db::Action::kBackup, db::Scope::kOther);
+                context_.store().norms().seal_centre_key(passphrase);
+            });
+        if (!sealed) return;
+        clear_key_->hide();
+        Q_EMIT notice(
+            tr("The key is sealed. Earlier backups hold it in clear: make a new one, and "
+               "remove them."));
     }
 
     void check() {
@@ -162,6 +203,7 @@ class HealthPage : public Page {
 
     QLabel *outcome_ = nullptr, *last_ = nullptr;
     Details* problems_ = nullptr;
+    QWidget* clear_key_ = nullptr;
 };
 
 }  // namespace

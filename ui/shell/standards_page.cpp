@@ -14,6 +14,7 @@
 #include "db/standards.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/passphrase_dialog.h"
 #include "ui/shell/standard_cards.h"
 #include "ui/shell/training.h"
 
@@ -208,11 +209,15 @@ class StandardsPage : public Page {
             db::Store& store = context_.store();
             const std::string centre = centre_->text().trimmed().toStdString();
             context_.setStoreSetting("centre", centre_->text().trimmed());
-            db::keep_own_norms(
-                store,
+            const curriculum::NormPack pack =
                 db::make_norms(db::level_attempts(store, task(), people), centre,
                                QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(),
-                               curriculum::kLeastNormGroup));
+                               curriculum::kLeastNormGroup);
+            const bool kept =
+                ask_centre_passphrase(context_, this, [&](const std::string& passphrase) {
+                    db::keep_own_norms(context_.store(), pack, passphrase);
+                });
+            if (!kept) return;
             Q_EMIT notice(tr("The norm pack is made and signed. It stands on the page Norms."));
         });
     }

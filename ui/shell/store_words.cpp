@@ -166,6 +166,12 @@ constexpr const char* kSentences[]{
     QT_TRANSLATE_NOOP("StoreWords", "the attempt has no recording"),
     QT_TRANSLATE_NOOP("StoreWords",
                       "the file is empty: the attempt never began; it can be removed"),
+    // The centre's key
+    QT_TRANSLATE_NOOP("StoreWords", "the passphrase of the centre's key is wrong; try again"),
+    QT_TRANSLATE_NOOP(
+        "StoreWords",
+        "on a server the centre's key is sealed and changed with the log-in of the "
+        "tables' owner; let an administrator run `placodectl norms key seal` with it"),
 };
 
 /// What a person may not do, and who can (db/access.cpp).

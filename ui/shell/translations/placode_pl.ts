@@ -1143,6 +1143,26 @@
         <source>had a procedure done again</source>
         <translation>zarządzono powtórzenie zabiegu</translation>
     </message>
+    <message>
+        <source>exported the centre&apos;s sealed key</source>
+        <translation>wyeksportowano zabezpieczony klucz ośrodka</translation>
+    </message>
+    <message>
+        <source>took in a key of the centre</source>
+        <translation>przyjęto klucz ośrodka</translation>
+    </message>
+    <message>
+        <source>changed the passphrase of the centre&apos;s key</source>
+        <translation>zmieniono hasło klucza ośrodka</translation>
+    </message>
+    <message>
+        <source>made a new key of the centre</source>
+        <translation>utworzono nowy klucz ośrodka</translation>
+    </message>
+    <message>
+        <source>put the centre&apos;s key under a passphrase</source>
+        <translation>zabezpieczono klucz ośrodka hasłem</translation>
+    </message>
 </context>
 <context>
     <name>CohortPage</name>
@@ -2150,6 +2170,26 @@
     <message>
         <source>A server of the centre (PostgreSQL)</source>
         <translation>Serwer ośrodka (PostgreSQL)</translation>
+    </message>
+    <message>
+        <source>The centre&apos;s signing key lies in clear in this store and in its backups: whoever reads them can sign norm packs in the centre&apos;s name. Put it under a passphrase here, or with `placodectl norms key seal`.</source>
+        <translation>Klucz podpisu ośrodka leży jawnie w tej bazie i w jej kopiach: kto je odczyta, może podpisywać pakiety norm w imieniu ośrodka. Zabezpiecz go hasłem tutaj albo poleceniem `placodectl norms key seal`.</translation>
+    </message>
+    <message>
+        <source>Choose a passphrase</source>
+        <translation>Wybierz hasło klucza</translation>
+    </message>
+    <message>
+        <source>Whoever signs norm packs of this centre needs it from now on. Keep it in another place; without it only a new key helps.</source>
+        <translation>Od tej chwili potrzebuje go każdy, kto podpisuje pakiety norm tego ośrodka. Przechowuj je w innym miejscu; bez niego pomoże tylko nowy klucz.</translation>
+    </message>
+    <message>
+        <source>Seal the key</source>
+        <translation>Zabezpiecz klucz</translation>
+    </message>
+    <message>
+        <source>The key is sealed. Earlier backups hold it in clear: make a new one, and remove them.</source>
+        <translation>Klucz jest zabezpieczony. Wcześniejsze kopie zawierają go jawnie: utwórz nową i usuń je.</translation>
     </message>
 </context>
 <context>
@@ -10502,7 +10542,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>the passphrase is too short; expected at least %1 characters, four words are good</source>
-        <translation>hasło do pliku jest za krótkie; potrzeba co najmniej %1 znaków, dobre są cztery słowa</translation>
+        <translation>hasło klucza jest za krótkie; potrzeba co najmniej %1 znaków, dobre są cztery słowa</translation>
     </message>
     <message>
         <source>the passphrase is wrong, or the file was changed</source>
@@ -10595,6 +10635,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>the length of the password is %1; it needs at least %2</source>
         <translation>długość hasła to %1; potrzeba co najmniej %2</translation>
+    </message>
+    <message>
+        <source>the passphrase of the centre&apos;s key is wrong; try again</source>
+        <translation>hasło klucza ośrodka jest błędne; spróbuj ponownie</translation>
+    </message>
+    <message>
+        <source>on a server the centre&apos;s key is sealed and changed with the log-in of the tables&apos; owner; let an administrator run `placodectl norms key seal` with it</source>
+        <translation>na serwerze klucz ośrodka zabezpiecza i zmienia się loginem właściciela tabel; niech administrator uruchomi nim `placodectl norms key seal`</translation>
     </message>
 </context>
 <context>
@@ -10887,6 +10935,57 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>More attempts for %1: %2.</source>
         <translation>Dalsze próby dla %1: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>PassphraseDialog</name>
+    <message>
+        <source>Passphrase of the centre&apos;s key</source>
+        <translation>Hasło klucza ośrodka</translation>
+    </message>
+    <message>
+        <source>New passphrase, at least %1 characters</source>
+        <translation>Nowe hasło, co najmniej %1 znaków</translation>
+    </message>
+    <message>
+        <source>Passphrase</source>
+        <translation>Hasło klucza</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Jeszcze raz</translation>
+    </message>
+    <message>
+        <source>Show what I type</source>
+        <translation>Pokaż, co wpisuję</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Type the passphrase.</source>
+        <translation>Wpisz hasło.</translation>
+    </message>
+    <message>
+        <source>The two passphrases differ. Type both again.</source>
+        <translation>Hasła się różnią. Wpisz oba jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Podpisz</translation>
+    </message>
+    <message>
+        <source>The centre&apos;s key is made now and signs this norm pack. Choose its passphrase: whoever signs packs of this centre needs it. Keep it in another place; without it only a new key helps.</source>
+        <translation>Klucz ośrodka powstaje teraz i podpisuje ten pakiet norm. Wybierz jego hasło: potrzebuje go każdy, kto podpisuje pakiety tego ośrodka. Przechowuj je w innym miejscu; bez niego pomoże tylko nowy klucz.</translation>
+    </message>
+    <message>
+        <source>The centre&apos;s key signs this norm pack. Until now it lay in clear in the store; it is put under a passphrase now. Keep it in another place; without it only a new key helps.</source>
+        <translation>Klucz ośrodka podpisuje ten pakiet norm. Do tej pory leżał jawnie w bazie; teraz zostanie zabezpieczony hasłem. Przechowuj hasło w innym miejscu; bez niego pomoże tylko nowy klucz.</translation>
+    </message>
+    <message>
+        <source>The key of %1 signs this norm pack.</source>
+        <translation>Klucz ośrodka %1 podpisuje ten pakiet norm.</translation>
     </message>
 </context>
 </TS>
