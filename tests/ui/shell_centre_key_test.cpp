@@ -8,6 +8,7 @@
 #include "db/signature.h"
 #include "db/store_context.h"
 #include "shell_harness.h"
+#include "tests/watched_program.h"
 #include "ui/shell/passphrase_dialog.h"
 
 namespace placode::ui {
@@ -25,6 +26,7 @@ class ShellCentreKeyTest : public QObject {
     void aStoreFromBeforeSaysThatItsKeyLiesInClear();
     void thePassphraseIsAskedForUntilItIsRight();
     void whatWasSealedSaysNothingMore();
+    void nothingThatWasTypedIsLeftBehind();
 
  private:
     using Dialog = std::function<void(QWidget& dialog)>;
@@ -53,6 +55,7 @@ class ShellCentreKeyTest : public QObject {
     }
     void keepInClear() {
         const db::KeyPair pair = db::new_key_pair();
+        clear_key_ = pair.secret_key.substr(0, 64);  // The other half is the public key.
         db::StoreContext context(db::parse_store_url(shell_->context().storeUrl()), {});
         db::UnitOfWork work(context.connection);
         db::Statement(context.connection,
@@ -65,6 +68,7 @@ class ShellCentreKeyTest : public QObject {
 
     std::unique_ptr<ShellHarness> shell_;
     int dialogs_ = 0;
+    std::string clear_key_;
 };
 
 void ShellCentreKeyTest::aStoreFromBeforeSaysThatItsKeyLiesInClear() {
@@ -140,6 +144,18 @@ void ShellCentreKeyTest::whatWasSealedSaysNothingMore() {
     shell.window().open({PageId::kHealth, 0, {}, {}});
     QVERIFY(shell.arrives(PageId::kHealth));
     QVERIFY(shell.find<QLabel>("clear_key") == nullptr);
+}
+
+void ShellCentreKeyTest::nothingThatWasTypedIsLeftBehind() {
+    // Store, its log and note, settings: all that the shell writes here.
+    const std::string folder = shell_->path({}).toStdString();
+    QVERIFY(!test::files_with(folder, "Gdansk").empty());
+    for (const std::string& secret :
+         {std::string("correct horse"), std::string("four words are good"),
+          std::string("not this one at all"), clear_key_}) {
+        const auto found = test::files_with(folder, secret);
+        QVERIFY2(found.empty(), found.empty() ? "" : (found.front() + ": " + secret).c_str());
+    }
 }
 
 }  // namespace placode::ui
