@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tests/count_allocations.h"
-#include "tests/rerun.h"
+#include "tests/live_attempt.h"
 
 namespace placode {
 namespace THIS_TEST {
@@ -32,21 +32,22 @@ class FrameAllocation : public testing::TestWithParam<Case> {};
 
 TEST_P(FrameAllocation, AFrameAllocatesAndLocksNothing) {
     const bool whole = std::getenv("PLACODE_LONG_TESTS") != nullptr;
-    const test::Rerun rerun(GetParam().task, whole ? 0 : GetParam().end_s);
-    const auto state = rerun.start();
-    ASSERT_GT(rerun.frames(), 1000);
+    test::LiveAttempt attempt(GetParam().task, whole ? 0 : GetParam().end_s);
+    const sim::State& state = attempt.state();
     const long probe = test::allocations;
     std::make_unique<std::vector<int>>(100).reset();
     ASSERT_GT(test::allocations, probe) << "the interposer counts";
     bool contact = false;
-    while (state->frame < rerun.frames()) {
+    while (!attempt.over()) {
+        attempt.look();
         const long before = test::allocations + test::locks;
-        rerun.step(*state);
+        attempt.simulate();
         ASSERT_EQ(test::allocations + test::locks, before)
-            << "frame " << state->frame << ", " << state->time_s << " s";
-        for (const sim::ToolState& tool : state->tools) contact |= tool.in_contact != 0;
-        contact |= state->suturing.entered > 0;  // the needle, not its driver
+            << "frame " << state.frame << ", " << state.time_s << " s";
+        for (const sim::ToolState& tool : state.tools) contact |= tool.in_contact != 0;
+        contact |= state.suturing.entered > 0;  // the needle, not its driver
     }
+    ASSERT_GT(state.frame, 1000);
     EXPECT_TRUE(contact) << "nothing was touched: the test would see little";
 }
 

@@ -17,7 +17,7 @@
 #include "sim/step/step.h"
 #include "sim/world/saved_state.h"
 #include "sim/world/scratch.h"
-#include "tests/rerun.h"
+#include "tests/live_attempt.h"
 
 namespace placode {
 namespace THIS_TEST {
@@ -44,57 +44,110 @@ std::vector<Case> cases() {
     return all;
 }
 
+void step_with(const sim::Scene& scene, sim::State& state, const sim::Input& input) {
+    state.substeps = input.substeps;
+    std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
+    const size_t tools = scene.tools.size();
+    (void)sim::step(scene, state, {input.tools, tools}, {feedback.data(), tools});
+}
+
+/// What an attempt saved, and how it went on from there.
+struct Course {
+    /// @param each  The whole is hashed after so many frames one by one, then after every 20th: it
+    ///              takes longer than the frame itself.
+    explicit Course(const Case& what, size_t each = 0) : attempt(what.task, what.end_s) {
+        sim::State& state = attempt.state();
+        attempt.step_to(static_cast<int64_t>(1000 * what.begin_s));
+        saved = sim::save_state(attempt.scene(), state);
+        saved_hash = sim::whole_hash(state);
+        at_work = state.removed_m3 > 0 || state.splits > 0 || state.suturing.entered > 0;
+        begin = state.frame;
+        while (!attempt.over()) {
+            attempt.step();
+            const bool due = hashes.size() < each || state.frame % 20 == 0;
+            hashes.push_back(due ? sim::whole_hash(state) : 0);
+            event_counts.push_back(state.event_count);
+        }
+        last_hash = sim::state_hash(state);
+        inputs = attempt.recording().inputs;
+    }
+    [[nodiscard]] const sim::Scene& scene() const { return attempt.scene(); }
+    /// From the saved frame on.
+    [[nodiscard]] int64_t frames() const { return std::ssize(hashes); }
+    void step(sim::State& other) const {
+        step_with(scene(), other, inputs.at(static_cast<size_t>(other.frame)));
+    }
+    /// Of the frame that `other` has reached.
+    [[nodiscard]] size_t at(const sim::State& other) const {
+        return static_cast<size_t>(other.frame - begin - 1);
+    }
+
+    test::LiveAttempt attempt;
+    std::vector<uint8_t> saved;
+    uint64_t saved_hash = 0, last_hash = 0;
+    bool at_work = false;
+    int64_t begin = 0;
+    std::vector<uint64_t> hashes;  ///< Whole, after each frame; 0 = not taken.
+    std::vector<int> event_counts;
+    std::vector<sim::Input> inputs;
+};
+
+constexpr int kForgetfulFrames = 200;
+
+/// Scissors at work, for more than one test.
+const Course& resection() {
+    static const Course course({"scissors_resection", 16, 16.5}, kForgetfulFrames);
+    return course;
+}
+
+void expect_that_a_copy_goes_on(const Course& course) {
+    sim::State copy(course.scene(), 2);
+    ASSERT_NE(sim::whole_hash(copy), course.saved_hash);
+    sim::load_state(course.scene(), copy, course.saved);
+    ASSERT_EQ(sim::whole_hash(copy), course.saved_hash);
+    EXPECT_TRUE(sim::save_state(course.scene(), copy) == course.saved)
+        << "saved again it is the same";
+    for (int64_t i = 0; i < course.frames(); ++i) {
+        course.step(copy);
+        ASSERT_EQ(copy.event_count, course.event_counts[course.at(copy)]) << copy.frame;
+        if (copy.frame % 20 == 0) {
+            ASSERT_EQ(sim::whole_hash(copy), course.hashes[course.at(copy)]) << copy.frame;
+        }
+    }
+    EXPECT_EQ(sim::state_hash(copy), course.last_hash);
+}
+
 TEST(WholeState, WhatIsSavedGoesOnAsIfNothingHadHappened) {
     for (const Case& what : cases()) {
         SCOPED_TRACE(what.task);
-        const test::Rerun rerun(what.task, what.end_s);
-        const auto started = rerun.start();
-        sim::State& state = *started;
-        rerun.step_to(state, static_cast<int64_t>(1000 * what.begin_s));
-        const auto saved = sim::save_state(*rerun.scene, state);
-        sim::State copy(*rerun.scene, 2);
-        ASSERT_NE(sim::whole_hash(copy), sim::whole_hash(state));
-        sim::load_state(*rerun.scene, copy, saved);
-        ASSERT_EQ(sim::whole_hash(copy), sim::whole_hash(state));
-        EXPECT_TRUE(sim::save_state(*rerun.scene, copy) == saved) << "saved again it is the same";
-        EXPECT_TRUE(!what.at_work || state.removed_m3 > 0 || state.splits > 0 ||
-                    state.suturing.entered > 0)
+        const bool shared = std::string(what.task) == "scissors_resection" && what.at_work;
+        const auto own = shared ? nullptr : std::make_unique<Course>(what);
+        const Course& course = shared ? resection() : *own;
+        EXPECT_GE(course.frames(), static_cast<int64_t>(1000 * (what.end_s - what.begin_s)) - 1);
+        EXPECT_TRUE(!what.at_work || course.at_work)
             << "nothing was cut or entered yet: the test would see little";
-        while (state.frame < rerun.frames()) {
-            rerun.step(state);
-            rerun.step(copy);
-            ASSERT_EQ(copy.event_count, state.event_count) << state.frame;
-            if (state.frame % 20 == 0) {
-                ASSERT_EQ(sim::whole_hash(copy), sim::whole_hash(state)) << state.frame;
-            }
-        }
-        EXPECT_EQ(sim::state_hash(copy), sim::state_hash(state));
+        expect_that_a_copy_goes_on(course);
     }
 }
 
 TEST(WholeState, ScratchMayBeLostBetweenAnyTwoFrames) {
-    const Case what = {"scissors_resection", 16, 16.2};
-    const test::Rerun rerun(what.task, what.end_s);
-    const auto started = rerun.start();
-    sim::State& state = *started;
-    rerun.step_to(state, static_cast<int64_t>(1000 * what.begin_s));
-    sim::State forgetful(*rerun.scene, 1);
-    sim::load_state(*rerun.scene, forgetful, sim::save_state(*rerun.scene, state));
-    while (state.frame < rerun.frames()) {
-        rerun.step(state);
-        if (state.frame % 2 == 0)
-            forgetful.scratch = std::make_unique<sim::State::Scratch>(*rerun.scene);
+    const Course& course = resection();
+    sim::State forgetful(course.scene(), 1);
+    sim::load_state(course.scene(), forgetful, course.saved);
+    for (int frame = 0; frame < kForgetfulFrames; ++frame) {
+        if (forgetful.frame % 2 == 1)
+            forgetful.scratch = std::make_unique<sim::State::Scratch>(course.scene());
         else
             forgetful.scratch->forget();
-        rerun.step(forgetful);
-        ASSERT_EQ(sim::whole_hash(forgetful), sim::whole_hash(state)) << state.frame;
+        course.step(forgetful);
+        ASSERT_EQ(sim::whole_hash(forgetful), course.hashes[course.at(forgetful)])
+            << forgetful.frame;
     }
 }
 
 TEST(WholeState, TheHashSeesWhatWaitsForTheNextFrames) {
-    const test::Rerun rerun("diathermy_ring_small", 0.1);
-    const auto started = rerun.start();
-    sim::State& state = *started;
+    test::LiveAttempt attempt("diathermy_ring_small");
+    sim::State& state = attempt.state();
     const uint64_t before = sim::whole_hash(state);
     const auto changes = [&](auto&& change, auto&& back) {
         change();
@@ -115,15 +168,15 @@ TEST(WholeState, TheHashSeesWhatWaitsForTheNextFrames) {
 }
 
 TEST(WholeState, OtherBytesAreRefusedAndChangeNothing) {
-    const test::Rerun rerun("diathermy_ring_small", 0.1);
-    const auto started = rerun.start();
-    sim::State& state = *started;
-    const auto saved = sim::save_state(*rerun.scene, state);
-    rerun.step(state);
+    test::LiveAttempt attempt("diathermy_ring_small");
+    sim::State& state = attempt.state();
+    const sim::Scene& scene = attempt.scene();
+    const auto saved = sim::save_state(scene, state);
+    attempt.step();
     const uint64_t before = sim::whole_hash(state);
     const auto refused = [&](std::vector<uint8_t> bytes, const char* why) {
         try {
-            sim::load_state(*rerun.scene, state, bytes);
+            sim::load_state(scene, state, bytes);
             ADD_FAILURE() << "accepted: " << why;
         } catch (const sim::StateError& error) {
             EXPECT_THAT(error.what(), testing::HasSubstr(why));
@@ -131,8 +184,11 @@ TEST(WholeState, OtherBytesAreRefusedAndChangeNothing) {
         EXPECT_EQ(sim::whole_hash(state), before);
     };
     sim::load_own_state(state, saved);
-    EXPECT_TRUE(sim::save_state(*rerun.scene, state) == saved);
-    rerun.step(state);
+    EXPECT_TRUE(sim::save_state(scene, state) == saved);
+    sim::Input input;
+    input.substeps = state.substeps;
+    std::copy(attempt.hands().begin(), attempt.hands().end(), input.tools);
+    step_with(scene, state, input);
     EXPECT_EQ(sim::whole_hash(state), before) << "the frame after it is the same";
     for (const size_t size : {size_t{0}, size_t{20}, size_t{40}, saved.size() - 1})
         EXPECT_THROW(sim::load_own_state(state, std::span(saved).first(size)), sim::StateError);
@@ -144,8 +200,7 @@ TEST(WholeState, OtherBytesAreRefusedAndChangeNothing) {
     auto other = saved;
     other[0] ^= 1;
     refused(other, "another format");
-    const test::Rerun larger("scissors_resection", 0.05);
-    refused(sim::save_state(*larger.scene, *larger.start()), "another scene");
+    refused(resection().saved, "another scene");
 }
 
 }  // namespace THIS_TEST
