@@ -3,7 +3,6 @@
 // An attempt in its window: what happened goes to the controls, what they decide to runner, view
 // and sound.
 
-#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -13,8 +12,8 @@
 #include "ui/attempt/attempt_controls.h"
 #include "ui/attempt/attempt_overlay.h"
 #include "ui/attempt/picture_pace.h"
+#include "ui/attempt/session_sound.h"
 #include "ui/attempt/sessions.h"
-#include "ui/attempt/sound.h"
 #include "ui/attempt/tuning_panel.h"
 #include "ui/attempt/user_settings.h"
 #include "ui/view/fetoscope_view.h"
@@ -89,7 +88,7 @@ class WindowSession {
           controls_(controls_setup(runner.task(), arguments), panel_),
           quality_(view_),
           pace_(quality_),
-          sound_(sound_settings(arguments)),
+          sound_(arguments),
           scripted_(is_script(arguments)),
           one_hand_(has_window_hands(arguments) || arguments.device == "spacemouse"),
           read_on_(!scripted_ && !has_window_hands(arguments) && conduct_.help),
@@ -129,13 +128,6 @@ class WindowSession {
     }
 
  private:
-    static SoundSettings sound_settings(const Arguments& arguments) {
-        SoundSettings settings = load_sound_settings();
-        if (arguments.volume_percent >= 0) settings.volume = arguments.volume_percent / 100.0;
-        settings.muted = settings.muted || arguments.mute;
-        return settings;
-    }
-
     static double seconds() {
         return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
     }
@@ -144,12 +136,9 @@ class WindowSession {
         const sim::Snapshot& snapshot = runner_.snapshot();
         if (snapshot.x.empty()) return;
         if (controls_.paused()) return sound_.silence();
-        const SoundScore::Wish wish =
-            score_.listen(snapshot, overlay_.time_limit_s, !overlay_.warnings);
-        sound_.play(wish);
+        const double left_s = sound_.listen(snapshot, overlay_.time_limit_s, overlay_.warnings);
         // What the other alarms mean stands there as a warning; the clock's has words as well.
-        if (wish.left_s > 0)
-            note(wish.left_s >= 60 ? "One minute left" : "Ten seconds left", kReadTimeS);
+        if (left_s > 0) note(left_s >= 60 ? "One minute left" : "Ten seconds left", kReadTimeS);
     }
 
     /// Window, controls, runner: once a round.
@@ -194,21 +183,9 @@ class WindowSession {
             case Command::kMute:
             case Command::kLouder:
             case Command::kSofter:
-                change_sound(command);
+                note(sound_.change(command));
                 break;
         }
-    }
-
-    void change_sound(Command command) {
-        SoundSettings settings = sound_.settings();
-        settings.muted = command == Command::kMute && !settings.muted;
-        if (command == Command::kLouder) settings.volume = std::min(1.0, settings.volume + 0.1);
-        if (command == Command::kSofter) settings.volume = std::max(0.0, settings.volume - 0.1);
-        sound_.set(settings);
-        save_sound_settings(settings);
-        note(!sound_.problem().empty() ? "No sound on this computer"
-             : settings.muted          ? "Sound off"
-                                       : "Sound on");
     }
 
     void keep_pace(const curriculum::AttemptStatus& status) {
@@ -282,8 +259,7 @@ class WindowSession {
     AttemptControls controls_;
     ViewQuality quality_;
     PicturePace pace_;
-    Sound sound_;
-    SoundScore score_;
+    SessionSound sound_;
     sim::WindowInput totals_;
     bool scripted_ = false, one_hand_ = false, read_on_ = false, lens_told_ = false;
     bool screenshot_asked_ = false, paused_ = false, remember_size_ = false;
