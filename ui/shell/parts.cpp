@@ -4,16 +4,12 @@
 
 #include <QCoreApplication>
 #include <QHeaderView>
-#include <QLocale>
 #include <QMessageBox>
 #include <QPainter>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTimer>
-#include <cmath>
 
-#include "db/attempt_counting.h"
-#include "reports/text.h"
 #include "ui/shell/dialog_frame.h"
 #include "ui/shell/table_width.h"
 
@@ -55,12 +51,6 @@ class Picture : public QWidget {
     std::function<void(QPainter&, const QRectF&)> draw_;
     QPixmap cache_;
 };
-
-QDateTime parse_utc(const QString& utc) {
-    QDateTime when = QDateTime::fromString(utc, Qt::ISODate);
-    when.setTimeSpec(Qt::UTC);
-    return when.toLocalTime();
-}
 
 }  // namespace
 
@@ -260,113 +250,6 @@ void begin_at(QWidget* card) {
             return;
         }
     });
-}
-
-/// To the tenth that is shown.
-static bool is_whole(double points) { return std::lround(points * 10) % 10 == 0; }
-
-QString format_number(double value, int decimals) {
-    // What rounds to nothing has no sign: "-0.0" reads like a loss.
-    const double half = 0.5 * std::pow(10.0, -decimals);
-    return QLocale().toString(std::abs(value) < half ? 0.0 : value, 'f', decimals);
-}
-
-QString format_value(double value) {
-    const double size = std::abs(value);
-    if (size == 0) return "0";
-    if (size >= 1e5) return QLocale().toString(value, 'g', 3);
-    return format_number(value, size >= 100 ? 0 : size >= 10 ? 1 : 2);
-}
-
-QString format_duration(double seconds) {
-    // One style on the screen and on paper.
-    return reports::duration_words(seconds);
-}
-
-QString format_when(const std::string& utc) {
-    const QDateTime when = parse_utc(qstr(utc));
-    return when.isValid() ? QLocale().toString(when, "d MMM yyyy, HH:mm") : qstr(utc);
-}
-
-QString format_clock(const QString& utc) {
-    const QDateTime when = parse_utc(utc);
-    if (!when.isValid()) return utc;
-    const bool today = when.date() == QDate::currentDate();
-    return QLocale().toString(when, today ? "HH:mm" : "d MMM HH:mm");
-}
-
-QString format_points(double points) { return format_number(points, is_whole(points) ? 0 : 1); }
-
-QString points_words(double points) {
-    return is_whole(points) ? Parts::tr("%n point(s)", nullptr, whole_points(points))
-                            : Parts::tr("%1 points", "with a tenth").arg(format_points(points));
-}
-
-int whole_points(double points) { return QString::number(points, 'f', 0).toInt(); }
-
-QString verdict_word(const db::AttemptRecord& attempt) {
-    // One word for all of them; why it is so stands beside it.
-    if (!db::counts(attempt)) return Parts::tr("Does not count");
-    switch (attempt.verdict) {
-        case assessment::Verdict::kPassed:
-            return Parts::tr("Passed");
-        case assessment::Verdict::kFailed:
-            return Parts::tr("Failed: critical error");
-        default:
-            return Parts::tr("Not yet");
-    }
-}
-
-const char* verdict_tone(const db::AttemptRecord& attempt) {
-    if (!db::counts(attempt)) return "";
-    switch (attempt.verdict) {
-        case assessment::Verdict::kPassed:
-            return "good";
-        case assessment::Verdict::kFailed:
-            return "critical";
-        case assessment::Verdict::kNotAttempted:
-            return "";
-        default:
-            return "warn";
-    }
-}
-
-QString end_word(sim::EndReason reason) {
-    switch (reason) {
-        case sim::EndReason::kFinished:
-            return Parts::tr("finished");
-        case sim::EndReason::kTimeLimit:
-            return Parts::tr("time limit");
-        case sim::EndReason::kClosed:
-            return Parts::tr("stopped");
-        default:
-            return Parts::tr("interrupted");
-    }
-}
-
-QString role_names(db::Roles roles) {
-    QStringList names;
-    if (db::has_role(roles, db::Role::kTrainee)) names << Parts::tr("Trainee");
-    if (db::has_role(roles, db::Role::kEducator)) names << Parts::tr("Educator");
-    if (db::has_role(roles, db::Role::kCoordinator)) names << Parts::tr("Coordinator");
-    if (db::has_role(roles, db::Role::kAdministrator)) names << Parts::tr("Administrator");
-    return names.join(", ");
-}
-
-QString device_name(const std::string& device) {
-    if (device == "mouse") return Parts::tr("Mouse");
-    if (device == "keyboard") return Parts::tr("Keyboard");
-    if (device == "gamepad") return Parts::tr("Gamepad");
-    // Names of products stay as they are.
-    if (device == "spacemouse") return "SpaceMouse";
-    if (device == "openhaptics") return "Touch (OpenHaptics)";
-    if (device == "haply") return "Haply Inverse3";
-    if (device == "avatar") return "Haptic Avatar";
-    if (device == "forcedimension") return "Force Dimension";
-    if (device == "script:expert") return Parts::tr("Scripted expert");
-    if (device == "script:intermediate") return Parts::tr("Scripted intermediate");
-    if (device == "script:novice") return Parts::tr("Scripted novice");
-    return qstr(device);
 }
 
 }  // namespace placode::ui

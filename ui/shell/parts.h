@@ -62,6 +62,7 @@ void fit_columns(QTableWidget* table, int stretch);
 /// Scrolls such a column to a card of it, once both are laid out, and puts the focus into the card.
 void begin_at(QWidget* card);
 
+// part_words.cpp
 [[nodiscard]] QString format_number(double value, int decimals);
 /// A metric's value with decimals that fit its size.
 [[nodiscard]] QString format_value(double value);
