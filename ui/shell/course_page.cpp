@@ -10,6 +10,7 @@
 #include "db/course_conduct.h"
 #include "reports/cohort_report.h"
 #include "reports/words.h"
+#include "ui/shell/course_station.h"
 #include "ui/shell/course_words.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -19,57 +20,6 @@ namespace placode::ui {
 namespace {
 
 using curriculum::StageStatus;
-
-/// The piece of the path beside one stage: a numbered station, lines to its neighbours.
-class Station : public QWidget {
- public:
-    Station(const Tokens& colors, int number, StageStatus status, bool first, bool last, bool next)
-        : colors_(colors),
-          number_(number),
-          status_(status),
-          first_(first),
-          last_(last),
-          next_(next) {
-        setFixedWidth(56);
-    }
-
- protected:
-    void paintEvent(QPaintEvent*) override {
-        QPainter painter(this);
-        painter.setRenderHint(QPainter::Antialiasing);
-        const QPointF centre(width() / 2.0, height() / 2.0);
-        const double r = 18;
-        painter.setPen(QPen(colors_.line, 3));
-        if (!first_) painter.drawLine(QPointF(centre.x(), 0), centre - QPointF(0, r));
-        if (!last_) painter.drawLine(centre + QPointF(0, r), QPointF(centre.x(), height()));
-        const bool mastered = status_ == StageStatus::kMastered;
-        const QColor edge = mastered ? colors_.good : next_ ? colors_.accent : colors_.field;
-        painter.setPen(QPen(edge, 2.5));
-        painter.setBrush(mastered ? colors_.good_soft
-                         : next_  ? colors_.accent_soft
-                                  : colors_.raised);
-        painter.drawEllipse(centre, r, r);
-        const QRect box(static_cast<int>(centre.x()) - 10, static_cast<int>(centre.y()) - 10, 20,
-                        20);
-        if (mastered) {
-            line_icon("check", colors_.good).paint(&painter, box);
-        } else if (status_ == StageStatus::kLocked) {
-            line_icon("lock", colors_.muted).paint(&painter, box);
-        } else {
-            QFont bold = font();
-            bold.setBold(true);
-            painter.setFont(bold);
-            painter.setPen(next_ ? colors_.accent : colors_.text);
-            painter.drawText(rect(), Qt::AlignCenter, QString::number(number_));
-        }
-    }
-
- private:
-    const Tokens& colors_;
-    int number_;
-    StageStatus status_;
-    bool first_, last_, next_;
-};
 
 class CoursePage : public Page {
     Q_DECLARE_TR_FUNCTIONS(CoursePage)
@@ -159,9 +109,9 @@ class CoursePage : public Page {
         const bool next = static_cast<int>(index) == training_.next_stage;
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace12);
-        row->addWidget(new Station(context_.colors(), static_cast<int>(index) + 1,
-                                   stage.progress.status, index == 0,
-                                   index + 1 == training_.stages.size(), next));
+        row->addWidget(new CourseStation(context_.colors(), static_cast<int>(index) + 1,
+                                         stage.progress.status, index == 0,
+                                         index + 1 == training_.stages.size(), next));
         auto* content = new QHBoxLayout;
         content->setSpacing(kSpace16);
         content->addLayout(stageText(stage, next), 1);
