@@ -23,6 +23,7 @@
 #include "ui/shell/parts.h"
 #include "ui/shell/rubric_card.h"
 #include "ui/shell/task_exam.h"
+#include "ui/shell/task_picture.h"
 #include "ui/shell/training.h"
 
 namespace placode::ui {
@@ -33,36 +34,6 @@ bool is_haptic(const std::string& device) {
     return device == "openhaptics" || device == "haply" || device == "avatar" ||
            device == "forcedimension";
 }
-
-/// As wide as its column, with every pixel that the screen has.
-class TaskPicture : public QWidget {
- public:
-    explicit TaskPicture(QPixmap picture) : picture_(std::move(picture)) {
-        QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-        policy.setHeightForWidth(true);
-        setSizePolicy(policy);
-        setMaximumWidth(kWidest);
-    }
-    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
-    [[nodiscard]] int heightForWidth(int width) const override {
-        return width * picture_.height() / picture_.width();
-    }
-    [[nodiscard]] QSize sizeHint() const override { return {kWidest, heightForWidth(kWidest)}; }
-    [[nodiscard]] QSize minimumSizeHint() const override {
-        return {kNarrowest, heightForWidth(kNarrowest)};
-    }
-
- protected:
-    void paintEvent(QPaintEvent*) override {
-        QPainter painter(this);
-        painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawPixmap(QRect(0, 0, width(), heightForWidth(width())), picture_);
-    }
-
- private:
-    static constexpr int kNarrowest = 280, kWidest = 560;
-    QPixmap picture_;
-};
 
 class TaskPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(TaskPage)
