@@ -95,6 +95,50 @@ QHBoxLayout* theme_line(const assessment::ThemeResult& result) {
     return line;
 }
 
+QString reasons_heading(const std::vector<assessment::Reason>& reasons, bool scored) {
+    return !scored                    ? Result::tr("What was noticed (not scored)")
+           : reasons.empty()          ? Result::tr("No points were lost")
+           : reasons.front().critical ? Result::tr("What failed the attempt, then what cost most")
+                                      : Result::tr("What cost most");
+}
+
+/// Behind a button: the reasons beyond the first kShownReasons.
+void add_other_reasons(QVBoxLayout* layout, AppContext& context,
+                       const std::vector<assessment::Reason>& reasons, bool scored,
+                       const ShowMoment& show) {
+    auto* rest = new QWidget;
+    rest->setObjectName("other_reasons");
+    rest->setFocusPolicy(Qt::StrongFocus);
+    auto* more = new QVBoxLayout(rest);
+    more->setContentsMargins(0, 0, 0, 0);
+    more->setSpacing(kSpace12);
+    double lost = 0;
+    for (size_t i = kShownReasons; i < reasons.size(); ++i) {
+        lost += reasons[i].points;
+        more->addWidget(make_rule());
+        more->addLayout(reason_line(context, reasons[i], i, scored, show));
+    }
+    rest->hide();
+    layout->addWidget(rest);
+    QPushButton* all =
+        make_button(context,
+                    scored ? Result::tr("Other reasons: %1, together −%2 "
+                                        "points")
+                                 .arg(reasons.size() - kShownReasons)
+                                 .arg(format_number(lost, 1))
+                           : Result::tr("More: %1").arg(reasons.size() - kShownReasons),
+                    "quiet");
+    all->setObjectName("more_reasons");
+    QObject::connect(all, &QPushButton::clicked, rest, [rest, all] {
+        rest->show();
+        // Hidden with the focus it would hand it on to the next field, and the page would
+        // scroll there.
+        rest->setFocus();
+        all->hide();
+    });
+    layout->addWidget(all, 0, Qt::AlignLeft);
+}
+
 }  // namespace
 
 ResultData read_result(db::Store& store, int64_t attempt_id) {
@@ -127,12 +171,7 @@ QWidget* make_reasons_card(AppContext& context, const ResultData& data, const Sh
         std::erase_if(reasons, [](const assessment::Reason& reason) {
             return reason.meaning.pattern == assessment::kNotMeasuredPattern;
         });
-    QLabel* heading = make_label(!scored           ? Result::tr("What was noticed (not scored)")
-                                 : reasons.empty() ? Result::tr("No points were lost")
-                                 : reasons.front().critical
-                                     ? Result::tr("What failed the attempt, then what cost most")
-                                     : Result::tr("What cost most"),
-                                 "heading");
+    QLabel* heading = make_label(reasons_heading(reasons, scored), "heading");
     heading->setObjectName("reasons_heading");
     layout->addWidget(heading);
     if (reasons.empty())
@@ -143,38 +182,7 @@ QWidget* make_reasons_card(AppContext& context, const ResultData& data, const Sh
         if (i > 0) layout->addWidget(make_rule());
         layout->addLayout(reason_line(context, reasons[i], i, scored, show));
     }
-    if (reasons.size() > shown) {
-        auto* rest = new QWidget;
-        rest->setObjectName("other_reasons");
-        rest->setFocusPolicy(Qt::StrongFocus);
-        auto* more = new QVBoxLayout(rest);
-        more->setContentsMargins(0, 0, 0, 0);
-        more->setSpacing(kSpace12);
-        double lost = 0;
-        for (size_t i = shown; i < reasons.size(); ++i) {
-            lost += reasons[i].points;
-            more->addWidget(make_rule());
-            more->addLayout(reason_line(context, reasons[i], i, scored, show));
-        }
-        rest->hide();
-        layout->addWidget(rest);
-        QPushButton* all = make_button(context,
-                                       scored ? Result::tr("Other reasons: %1, together −%2 "
-                                                           "points")
-                                                    .arg(reasons.size() - shown)
-                                                    .arg(format_number(lost, 1))
-                                              : Result::tr("More: %1").arg(reasons.size() - shown),
-                                       "quiet");
-        all->setObjectName("more_reasons");
-        QObject::connect(all, &QPushButton::clicked, rest, [rest, all] {
-            rest->show();
-            // Hidden with the focus it would hand it on to the next field, and the page would
-            // scroll there.
-            rest->setFocus();
-            all->hide();
-        });
-        layout->addWidget(all, 0, Qt::AlignLeft);
-    }
+    if (reasons.size() > shown) add_other_reasons(layout, context, reasons, scored, show);
     double lost = 0;
     for (const assessment::Reason& each : reasons) lost += each.points;
     // Else whoever adds them up finds a score that cannot be right.
