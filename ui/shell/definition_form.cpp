@@ -11,135 +11,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/shell/definition_form_text.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
-namespace {
-
-QString text_of(const OrderedJson& json) {
-    return json.is_string() ? qstr(json.get<std::string>()) : QString();
-}
-
-QString local_of(const OrderedJson& json, const char* language) {
-    return json.is_object() && json.contains(language) ? text_of(json[language]) : QString();
-}
-
-OrderedJson local(const QString& english, const QString& polish) {
-    OrderedJson json = OrderedJson::object();
-    if (!english.trimmed().isEmpty()) json["en"] = english.trimmed().toStdString();
-    if (!polish.trimmed().isEmpty()) json["pl"] = polish.trimmed().toStdString();
-    return json.empty() ? OrderedJson() : json;
-}
-
-OrderedJson strings(const QString& words) {
-    OrderedJson list = OrderedJson::array();
-    for (const QString& each : words.split(' ', Qt::SkipEmptyParts))
-        list.push_back(each.toStdString());
-    return list;
-}
-
-/// The words of a list, as they are typed.
-QString joined(const OrderedJson& list) {
-    QStringList words;
-    for (const auto& each : list) words << (each.is_string() ? text_of(each) : qstr(each.dump()));
-    return words.join(' ');
-}
-
-QStringList parts_of(const QString& line, int at_least) {
-    QStringList parts = line.split('|');
-    while (parts.size() < at_least) parts << QString();
-    for (QString& part : parts) part = part.trimmed();
-    return parts;
-}
-
-/// A line of a list of objects, and back.
-QString line_of(const OrderedJson& element, FormFieldKind kind) {
-    if (!element.is_object()) return {};
-    const auto at = [&](const char* key) {
-        return element.contains(key) ? element[key] : OrderedJson();
-    };
-    const auto both = [](const OrderedJson& text) {
-        const QString polish = local_of(text, "pl");
-        return local_of(text, "en") + (polish.isEmpty() ? "" : " | " + polish);
-    };
-    if (kind == FormFieldKind::kStatements) return text_of(at("id")) + " | " + both(at("text"));
-    if (kind == FormFieldKind::kScales)
-        return text_of(at("id")) + " | " +
-               (text_of(at("method")).isEmpty() ? "mean" : text_of(at("method"))) + " " +
-               joined(at("items")) + " | " + both(at("title"));
-    return both(element);
-}
-
-OrderedJson element_of(const QString& line, FormFieldKind kind, const OrderedJson& before) {
-    if (kind == FormFieldKind::kLocalLines) {
-        const QStringList parts = parts_of(line, 2);
-        return local(parts[0], parts[1]);
-    }
-    // Keys that the line does not show (required, factor, ...) stay as they were.
-    OrderedJson element = before.is_object() ? before : OrderedJson::object();
-    if (kind == FormFieldKind::kStatements) {
-        const QStringList parts = parts_of(line, 3);
-        element["id"] = parts[0].toStdString();
-        element["text"] = local(parts[1], parts[2]);
-        return element;
-    }
-    const QStringList parts = parts_of(line, 4);
-    element["id"] = parts[0].toStdString();
-    element["title"] = local(parts[2], parts[3]);
-    element["method"] = parts[1].section(' ', 0, 0).toStdString();
-    element["items"] = strings(parts[1].section(' ', 1));
-    return element;
-}
-
-OrderedJson show_if_of(const QString& text) {
-    if (text.trimmed().isEmpty()) return {};
-    return {{"item", text.section('=', 0, 0).trimmed().toStdString()},
-            {"any_of", strings(text.section('=', 1))}};
-}
-
-/// A number as it is typed; what is none stays a text, and the check says so.
-OrderedJson number_of(const QString& text, bool whole) {
-    if (text.trimmed().isEmpty()) return {};
-    bool ok = false;
-    if (whole) {
-        const int value = text.trimmed().toInt(&ok);
-        return ok ? OrderedJson(value) : OrderedJson(text.trimmed().toStdString());
-    }
-    const double value = QLocale::c().toDouble(text.trimmed().replace(',', '.'), &ok);
-    return ok ? OrderedJson(value) : OrderedJson(text.trimmed().toStdString());
-}
-
-QString shown(const OrderedJson& value, FormFieldKind kind) {
-    if (value.is_null()) return {};
-    if (kind == FormFieldKind::kIntegers) return joined(value);
-    if (kind == FormFieldKind::kShowIf)
-        return value.is_object() ? text_of(value.value("item", OrderedJson())) + " = " +
-                                       joined(value.value("any_of", OrderedJson::array()))
-                                 : QString();
-    return value.is_string() ? text_of(value) : qstr(value.dump());
-}
-
-OrderedJson read(const QString& text, FormFieldKind kind) {
-    switch (kind) {
-        case FormFieldKind::kNumber:
-        case FormFieldKind::kInteger:
-            return number_of(text, kind == FormFieldKind::kInteger);
-        case FormFieldKind::kShowIf:
-            return show_if_of(text);
-        case FormFieldKind::kIntegers: {
-            if (text.trimmed().isEmpty()) return {};
-            OrderedJson list = OrderedJson::array();
-            for (const QString& each : text.split(' ', Qt::SkipEmptyParts))
-                list.push_back(number_of(each, true));
-            return list;
-        }
-        default:
-            return text.trimmed().isEmpty() ? OrderedJson()
-                                            : OrderedJson(text.trimmed().toStdString());
-    }
-}
-
-}  // namespace
 
 void DefinitionForm::set(const char* key, const OrderedJson& value) {
     if (value.is_null())
@@ -165,70 +40,91 @@ void DefinitionForm::showObject(OrderedJson* object, const std::vector<FormField
     column->addStretch();
 }
 
+OrderedJson DefinitionForm::present(const char* key) const {
+    return object_->contains(key) ? (*object_)[key] : OrderedJson();
+}
+
 void DefinitionForm::add(QVBoxLayout* column, const FormField& field) {
-    const char* key = field.key;
-    const OrderedJson value = object_->contains(key) ? (*object_)[key] : OrderedJson();
-    const QString name = QString("form_") + key;
     switch (field.kind) {
-        case FormFieldKind::kFlag: {
-            auto* box = new QCheckBox(field.label);
-            box->setObjectName(name);
-            box->setMinimumHeight(kTouchTarget);
-            box->setChecked(value.is_boolean() ? value.get<bool>() : field.default_flag);
-            connect(box, &QCheckBox::toggled, this,
-                    [this, key, plain = field.default_flag](bool on) {
-                        set(key, on == plain ? OrderedJson() : OrderedJson(on));
-                    });
-            column->addWidget(box);
-            return;
-        }
-        case FormFieldKind::kChoice: {
-            auto* box = new QComboBox;
-            box->setObjectName(name);
-            for (const FormOption& option : field.options) box->addItem(option.words, option.value);
-            const QString now = text_of(value);
-            // What this program does not know stays as it is until another is chosen.
-            if (box->findData(now) < 0) box->addItem(now, now);
-            box->setCurrentIndex(box->findData(now));
-            connect(box, &QComboBox::currentIndexChanged, this, [this, key, box] {
-                set(key, read(box->currentData().toString(), FormFieldKind::kText));
-            });
-            column->addLayout(make_field(field.label, box));
-            return;
-        }
+        case FormFieldKind::kFlag:
+            return addFlag(column, field);
+        case FormFieldKind::kChoice:
+            return addChoice(column, field);
         case FormFieldKind::kSeveral:
             return addSeveral(column, field);
-        case FormFieldKind::kLocal: {
-            auto* row = new QHBoxLayout;
-            row->setSpacing(kSpace8);
-            auto* english = new QLineEdit(local_of(value, "en"));
-            auto* polish = new QLineEdit(local_of(value, "pl"));
-            english->setObjectName(name + "_en");
-            polish->setObjectName(name + "_pl");
-            row->addLayout(make_field(field.label + " (EN)", english));
-            row->addLayout(make_field(field.label + " (PL)", polish));
-            for (QLineEdit* edit : {english, polish}) edit->setCursorPosition(0);
-            for (QLineEdit* edit : {english, polish})
-                connect(edit, &QLineEdit::textEdited, this, [this, key, english, polish] {
-                    set(key, local(english->text(), polish->text()));
-                });
-            column->addLayout(row);
-            return;
-        }
+        case FormFieldKind::kLocal:
+            return addLocal(column, field);
         case FormFieldKind::kLocalLines:
         case FormFieldKind::kStatements:
         case FormFieldKind::kScales:
-            addLines(column, field);
-            return;
-        default: {
-            auto* edit = new QLineEdit(shown(value, field.kind));
-            edit->setCursorPosition(0);  // The beginning of a long text, not its end.
-            edit->setObjectName(name);
-            connect(edit, &QLineEdit::textEdited, this,
-                    [this, key, kind = field.kind, edit] { set(key, read(edit->text(), kind)); });
-            column->addLayout(make_field(field.label, edit));
-        }
+            return addLines(column, field);
+        default:
+            return addLine(column, field);
     }
+}
+
+void DefinitionForm::addFlag(QVBoxLayout* column, const FormField& field) {
+    const char* key = field.key;
+    const OrderedJson value = present(key);
+    const QString name = QString("form_") + key;
+    auto* box = new QCheckBox(field.label);
+    box->setObjectName(name);
+    box->setMinimumHeight(kTouchTarget);
+    box->setChecked(value.is_boolean() ? value.get<bool>() : field.default_flag);
+    connect(box, &QCheckBox::toggled, this, [this, key, plain = field.default_flag](bool on) {
+        set(key, on == plain ? OrderedJson() : OrderedJson(on));
+    });
+    column->addWidget(box);
+}
+
+void DefinitionForm::addChoice(QVBoxLayout* column, const FormField& field) {
+    const char* key = field.key;
+    const OrderedJson value = present(key);
+    const QString name = QString("form_") + key;
+    auto* box = new QComboBox;
+    box->setObjectName(name);
+    for (const FormOption& option : field.options) box->addItem(option.words, option.value);
+    const QString now = form_text::text_of(value);
+    // What this program does not know stays as it is until another is chosen.
+    if (box->findData(now) < 0) box->addItem(now, now);
+    box->setCurrentIndex(box->findData(now));
+    connect(box, &QComboBox::currentIndexChanged, this, [this, key, box] {
+        set(key, form_text::read(box->currentData().toString(), FormFieldKind::kText));
+    });
+    column->addLayout(make_field(field.label, box));
+}
+
+void DefinitionForm::addLocal(QVBoxLayout* column, const FormField& field) {
+    const char* key = field.key;
+    const OrderedJson value = present(key);
+    const QString name = QString("form_") + key;
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace8);
+    auto* english = new QLineEdit(form_text::local_of(value, "en"));
+    auto* polish = new QLineEdit(form_text::local_of(value, "pl"));
+    english->setObjectName(name + "_en");
+    polish->setObjectName(name + "_pl");
+    row->addLayout(make_field(field.label + " (EN)", english));
+    row->addLayout(make_field(field.label + " (PL)", polish));
+    for (QLineEdit* edit : {english, polish}) edit->setCursorPosition(0);
+    for (QLineEdit* edit : {english, polish})
+        connect(edit, &QLineEdit::textEdited, this, [this, key, english, polish] {
+            set(key, form_text::local(english->text(), polish->text()));
+        });
+    column->addLayout(row);
+}
+
+void DefinitionForm::addLine(QVBoxLayout* column, const FormField& field) {
+    const char* key = field.key;
+    const OrderedJson value = present(key);
+    const QString name = QString("form_") + key;
+    auto* edit = new QLineEdit(form_text::shown(value, field.kind));
+    edit->setCursorPosition(0);  // The beginning of a long text, not its end.
+    edit->setObjectName(name);
+    connect(edit, &QLineEdit::textEdited, this, [this, key, kind = field.kind, edit] {
+        set(key, form_text::read(edit->text(), kind));
+    });
+    column->addLayout(make_field(field.label, edit));
 }
 
 /// A box for "as usual", which takes the key away, and a box for each option.
@@ -277,7 +173,7 @@ void DefinitionForm::addLines(QVBoxLayout* column, const FormField& field) {
     const char* key = field.key;
     QStringList lines;
     if (object_->contains(key) && (*object_)[key].is_array())
-        for (const auto& each : (*object_)[key]) lines << line_of(each, field.kind);
+        for (const auto& each : (*object_)[key]) lines << form_text::line_of(each, field.kind);
     auto* edit = new QPlainTextEdit(lines.join('\n'));
     edit->setObjectName(QString("form_") + key);
     edit->setTabChangesFocus(true);
@@ -288,7 +184,7 @@ void DefinitionForm::addLines(QVBoxLayout* column, const FormField& field) {
         for (const QString& line : edit->toPlainText().split('\n')) {
             if (line.trimmed().isEmpty()) continue;
             const size_t at = list.size();
-            list.push_back(element_of(
+            list.push_back(form_text::element_of(
                 line, kind, before.is_array() && at < before.size() ? before[at] : OrderedJson()));
         }
         set(key, list.empty() ? OrderedJson() : list);

@@ -52,8 +52,13 @@ class DefinitionForm : public QWidget {
 
  private:
     void add(QVBoxLayout* column, const FormField& field);
+    void addFlag(QVBoxLayout* column, const FormField& field);
+    void addChoice(QVBoxLayout* column, const FormField& field);
+    void addLocal(QVBoxLayout* column, const FormField& field);
+    void addLine(QVBoxLayout* column, const FormField& field);
     void addSeveral(QVBoxLayout* column, const FormField& field);
     void addLines(QVBoxLayout* column, const FormField& field);
+    [[nodiscard]] OrderedJson present(const char* key) const;
     void set(const char* key, const OrderedJson& value);
 
     OrderedJson* object_ = nullptr;
