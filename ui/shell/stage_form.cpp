@@ -45,17 +45,39 @@ StageForm::StageForm(AppContext& context, Changed changed)
     auto* layout = new QVBoxLayout;
     layout->setSpacing(kSpace12);
     layout->addWidget(make_label(StageWords::tr("Stage"), "heading"));
+    addWhatIsDone(layout);
+    addMastery(layout);
+    addLimits(layout);
+    layout->addWidget(make_label(StageWords::tr("Opens when these are mastered"), "muted"));
+    required_ = new QVBoxLayout;
+    required_->setSpacing(0);
+    layout->addLayout(required_);
+    addMessage(layout, "/requires_stages");
+    addExamFields(layout);
+    layout->addStretch();
+    setProperty("role", "card");
+    layout->setContentsMargins(kSpace24, kSpace16, kSpace24, kSpace16);
+    setLayout(layout);
+    connectFields();
+}
+
+/// Task and id.
+void StageForm::addWhatIsDone(QVBoxLayout* layout) {
     auto* first = new QHBoxLayout;
     first->setSpacing(kSpace16);
     task_ = new QComboBox;
     task_->setObjectName("stage_task");
     for (const std::string& id : curriculum::list_definitions("tasks"))
-        task_->addItem(task_title(context, id), qstr(id));
+        task_->addItem(task_title(context_, id), qstr(id));
     addField(first, StageWords::tr("Task"), task_, "/task_id");
     id_ = new QLineEdit;
     id_->setObjectName("stage_id");
     addField(first, StageWords::tr("Id of the stage"), id_, "/id");
     layout->addLayout(first);
+}
+
+/// Mode, and what counts as mastered.
+void StageForm::addMastery(QVBoxLayout* layout) {
     auto* second = new QHBoxLayout;
     second->setSpacing(kSpace16);
     mode_ = new QComboBox;
@@ -79,6 +101,9 @@ StageForm::StageForm(AppContext& context, Changed changed)
     consecutive_ = make_spin(1, 20, "stage_consecutive");
     addField(second, StageWords::tr("Times in a row"), consecutive_, "/consecutive");
     layout->addLayout(second);
+}
+
+void StageForm::addLimits(QVBoxLayout* layout) {
     auto* third = new QHBoxLayout;
     third->setSpacing(kSpace16);
     limit_ = make_spin(0, 1000, "stage_limit");
@@ -88,16 +113,9 @@ StageForm::StageForm(AppContext& context, Changed changed)
     remind_->setSpecialValueText(StageWords::tr("never"));
     addField(third, StageWords::tr("Refresh after [days]"), remind_, "/remind_after_days");
     layout->addLayout(third);
-    layout->addWidget(make_label(StageWords::tr("Opens when these are mastered"), "muted"));
-    required_ = new QVBoxLayout;
-    required_->setSpacing(0);
-    layout->addLayout(required_);
-    addMessage(layout, "/requires_stages");
-    addExamFields(layout);
-    layout->addStretch();
-    setProperty("role", "card");
-    layout->setContentsMargins(kSpace24, kSpace16, kSpace24, kSpace16);
-    setLayout(layout);
+}
+
+void StageForm::connectFields() {
     connect(task_, &QComboBox::currentIndexChanged, this, [this] { tell("task"); });
     connect(mode_, &QComboBox::currentIndexChanged, this, [this] { tell("mode"); });
     connect(id_, &QLineEdit::textEdited, this, [this] { tell("id"); });

@@ -31,6 +31,10 @@ class StageForm : public QFrame {
               const std::vector<curriculum::CourseProblem>& problems);
 
  private:
+    void addWhatIsDone(QVBoxLayout* layout);
+    void addMastery(QVBoxLayout* layout);
+    void addLimits(QVBoxLayout* layout);
+    void connectFields();
     void addExamFields(QVBoxLayout* layout);
     void addField(QLayout* layout, const QString& name, QWidget* field, const char* pointer);
     void addMessage(QVBoxLayout* layout, const char* pointer);
