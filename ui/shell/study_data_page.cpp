@@ -15,6 +15,8 @@
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/procedures_card.h"
+#include "ui/shell/study_corrections_card.h"
+#include "ui/shell/study_entry_card.h"
 #include "ui/shell/study_parts.h"
 
 namespace placode::ui {
@@ -58,8 +60,11 @@ class StudyDataPage : public Page {
         connect(table_, &QTableWidget::itemSelectionChanged, procedures,
                 [this, procedures] { procedures->open(selected().toStdString()); });
         procedures->open(selected().toStdString());
-        column->addWidget(entryCard());
-        column->addWidget(correctionsCard());
+        column->addWidget(make_entry_card(
+            context, *this, study_, answers_, differences_, [this] { return selected(); },
+            [this] { again(); }));
+        column->addWidget(
+            make_corrections_card(context, *this, answers_, corrections_, [this] { again(); }));
         column->addWidget(make_names_card(context, *this, study_, codes()));
         column->addStretch();
     }
@@ -209,174 +214,6 @@ class StudyDataPage : public Page {
 
     void again() { Q_EMIT go({PageId::kStudyData, 0, selected(), {{"study", qstr(study_)}}}); }
 
-    QWidget* entryCard() {
-        auto* layout = new QVBoxLayout;
-        layout->setSpacing(kSpace12);
-        layout->addWidget(make_label(tr("Entry from paper"), "heading"));
-        layout->addWidget(make_label(
-            tr("Type a sheet twice, best by two people: Placode lists where the entries differ."),
-            "muted"));
-        auto* row = new QHBoxLayout;
-        row->setSpacing(kSpace8);
-        auto* forms = new QComboBox;
-        forms->setObjectName("entry_questionnaire");
-        forms->setAccessibleName(tr("Questionnaire"));
-        for (const QString& id : questionnaires()) forms->addItem(id, id);
-        row->addWidget(forms, 1);
-        QPushButton* first =
-            make_action(context_, this, tr("Enter from paper"), "secondary", "plus", "enter_first",
-                        [this, forms] { enter(forms->currentData().toString(), false); });
-        QPushButton* second = make_action(
-            context_, this, tr("Enter a second time"), "secondary", "again", "enter_second",
-            [this, forms] { enter(forms->currentData().toString(), true); });
-        for (QPushButton* button : {first, second}) {
-            button->setEnabled(forms->count() > 0);  // Nobody has answered, no protocol.
-            row->addWidget(button);
-        }
-        layout->addLayout(row);
-        if (differences_.empty()) {
-            layout->addWidget(make_label(tr("There are no open differences."), "small"));
-            return make_card(layout);
-        }
-        layout->addWidget(differencesTable());
-        auto* decide = new QHBoxLayout;
-        decide->setSpacing(kSpace8);
-        auto* reason = make_line("decide_reason", tr("Reason: \"looked at the sheet\""));
-        decide->addWidget(reason, 1);
-        for (const int right : {1, 2})
-            decide->addWidget(make_action(
-                context_, this, right == 1 ? tr("The first is right") : tr("The second is right"),
-                "secondary", "check", right == 1 ? "first_is_right" : "second_is_right",
-                [this, right, reason] { decideDifference(right, reason); }));
-        layout->addLayout(decide);
-        return make_card(layout);
-    }
-
-    /// Those of the protocol, and those with answers.
-    [[nodiscard]] QStringList questionnaires() const {
-        QStringList ids;
-        if (const auto protocol = db::published_study(context_.store(), study_))
-            for (const auto& step : protocol->steps)
-                if (!step.questionnaire.empty()) ids << qstr(step.questionnaire);
-        for (const auto& each : answers_) ids << qstr(each.questionnaire_id);
-        ids.removeDuplicates();
-        return ids;
-    }
-
-    void enter(const QString& questionnaire, bool second) {
-        QVariantMap state{
-            {"questionnaire", questionnaire}, {"study", qstr(study_)}, {"paper", !second}};
-        if (second) {
-            const auto first =
-                std::find_if(answers_.begin(), answers_.end(), [&](const auto& each) {
-                    return qstr(each.participant) == selected() &&
-                           qstr(each.questionnaire_id) == questionnaire;
-                });
-            if (first == answers_.end()) {
-                context_.report({tr("There is no first entry."),
-                                 tr("%1 has no answers to %2; enter the sheet from paper first.")
-                                     .arg(selected(), questionnaire),
-                                 {}});
-                return;
-            }
-            state["second_of"] = QVariant::fromValue<qint64>(first->id);
-            state["version"] = first->questionnaire_version;
-        }
-        Q_EMIT go({PageId::kParticipant, 0, selected(), state});
-    }
-
-    QTableWidget* differencesTable() {
-        differences_table_ = make_table({tr("Code"), tr("Questionnaire"), tr("Item"),
-                                         tr("First entry"), tr("Second entry"), tr("Typed by")},
-                                        tr("Differences between entries"));
-        QTableWidget* table = differences_table_;
-        table->setObjectName("differences_table");
-        table->setSortingEnabled(false);
-        table->setRowCount(static_cast<int>(differences_.size()));
-        for (int row = 0; row < table->rowCount(); ++row) {
-            const db::EntryDifference& each = differences_[static_cast<size_t>(row)];
-            int column = 0;
-            for (const std::string& text : {each.participant, each.questionnaire_id, each.item,
-                                            each.first, each.second, each.entered_by})
-                table->setItem(row, column++, make_cell(text.empty() ? "–" : qstr(text)));
-        }
-        fit_columns(table, 2);
-        table->setMinimumHeight(std::min(6, table->rowCount() + 1) * kTouchTarget + 10);
-        table->selectRow(0);
-        return table;
-    }
-
-    void decideDifference(int right, QLineEdit* reason) {
-        const int row = differences_table_->currentRow();
-        if (row < 0) return;
-        context_.guard(tr("Deciding a difference"), [&] {
-            context_.require(db::Action::kRunQuestionnaire);
-            db::decide_difference(context_.store(), differences_[static_cast<size_t>(row)], right,
-                                  reason->text().trimmed().toStdString());
-            again();
-        });
-    }
-
-    QWidget* correctionsCard() {
-        auto* layout = new QVBoxLayout;
-        layout->setSpacing(kSpace12);
-        layout->addWidget(make_label(tr("Corrections"), "heading"));
-        layout->addWidget(make_label(
-            tr("An answer is changed for a reason; the old one stays readable here."), "muted"));
-        auto* grid = new QGridLayout;
-        grid->setHorizontalSpacing(kSpace8);
-        auto* sets = new QComboBox;
-        sets->setObjectName("correct_answers_of");
-        sets->setAccessibleName(tr("Answers of"));
-        for (const auto& each : answers_)
-            sets->addItem(qstr(each.participant + "  " + each.questionnaire_id),
-                          QVariant::fromValue<qint64>(each.id));
-        auto* item = make_line("correct_item", tr("Item, e.g. A"));
-        auto* value = make_line("correct_value", tr("New answer; empty takes it away"));
-        auto* reason = make_line("correct_reason", tr("Reason"));
-        grid->addWidget(sets, 0, 0);
-        grid->addWidget(item, 0, 1);
-        grid->addWidget(value, 0, 2);
-        grid->addWidget(reason, 1, 0, 1, 2);
-        grid->addWidget(
-            make_action(context_, this, tr("Correct"), "secondary", "check", "correct_answer",
-                        [this, sets, item, value, reason] {
-                            context_.guard(tr("Correcting an answer"), [&] {
-                                context_.require(db::Action::kRunQuestionnaire);
-                                context_.store().records().correct_answers(
-                                    sets->currentData().toLongLong(), 1,
-                                    {{item->text().trimmed().toStdString(),
-                                      value->text().trimmed().toStdString()}},
-                                    reason->text().trimmed().toStdString());
-                                again();
-                            });
-                        }),
-            1, 2);
-        layout->addLayout(grid);
-        if (!corrections_.empty()) layout->addWidget(correctionsTable());
-        return make_card(layout);
-    }
-
-    QTableWidget* correctionsTable() {
-        QTableWidget* table =
-            make_table({tr("When"), tr("By"), tr("Item"), tr("Before"), tr("After"), tr("Reason")},
-                       tr("Corrections"));
-        table->setObjectName("corrections_table");
-        table->setSortingEnabled(false);
-        table->setRowCount(static_cast<int>(corrections_.size()));
-        for (int row = 0; row < table->rowCount(); ++row) {
-            const db::Correction& each = corrections_[static_cast<size_t>(row)];
-            table->setItem(row, 0, make_cell(format_when(each.at_utc)));
-            int column = 1;
-            for (const std::string& text :
-                 {each.corrected_by, each.item, each.old_answer, each.new_answer, each.reason})
-                table->setItem(row, column++, make_cell(text.empty() ? "–" : qstr(text)));
-        }
-        fit_columns(table, 5);
-        table->setMinimumHeight(std::min(6, table->rowCount() + 1) * kTouchTarget + 10);
-        return table;
-    }
-
     std::vector<std::string> ids_;
     std::string study_;
     std::vector<db::Progress> progress_;
@@ -385,7 +222,6 @@ class StudyDataPage : public Page {
     std::vector<db::EntryDifference> differences_;
     std::vector<db::Correction> corrections_;
     QTableWidget* table_ = nullptr;
-    QTableWidget* differences_table_ = nullptr;
 };
 
 }  // namespace
