@@ -4,21 +4,17 @@
 // spread.
 
 #include <QCheckBox>
-#include <QCollator>
 #include <QComboBox>
-#include <QFile>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QPainter>
-#include <QStyledItemDelegate>
 #include <algorithm>
 #include <map>
 
 #include "assessment/cohort.h"
-#include "reports/csv_table.h"
 #include "reports/export.h"
-#include "reports/figure.h"
 #include "ui/shell/attempts_table.h"
+#include "ui/shell/cohort_people.h"
+#include "ui/shell/heat_delegate.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/table_width.h"
@@ -35,33 +31,14 @@ using assessment::Standing;
 
 constexpr int kMostHelpLines = 8;
 
-struct Person {
-    int64_t id = 0;
-    QString name;
-    std::map<std::string, CohortCell> tasks;
-    std::map<std::string, double> first_points;
-    std::string last_utc;
-};
-
-/// The style sheet draws cells without their own background: this one does it.
-class HeatDelegate : public QStyledItemDelegate {
- public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-    void paint(QPainter* painter, const QStyleOptionViewItem& option,
-               const QModelIndex& index) const override {
-        const QVariant brush = index.data(Qt::BackgroundRole);
-        if (brush.isValid())
-            painter->fillRect(option.rect.adjusted(2, 2, -2, -2), brush.value<QBrush>());
-        QStyledItemDelegate::paint(painter, option, index);
-    }
-};
-
 class CohortPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(CohortPage)
  public:
     CohortPage(AppContext& context, const Place& place) : Page(context) {
         context.require(db::Action::kViewAttempts, db::Scope::kOther);
-        read();
+        CohortPeople read = read_cohort_people(context.store());
+        people_ = std::move(read.people);
+        tasks_ = std::move(read.tasks);
         QVBoxLayout* column = make_column(this, 1400);
         auto* head = new QHBoxLayout;
         head->addWidget(make_label(tr("Cohort"), "display"), 1);
@@ -101,53 +78,12 @@ class CohortPage : public Page {
     }
 
  private:
-    void read() {
-        std::map<int64_t, Person> people;
-        for (const db::TaskStanding& each : context_.store().attempts().standings(0)) {
-            Person& person = people[each.user_id];
-            person.id = each.user_id;
-            if (person.name.isEmpty())
-                person.name = each.user_name.empty() ? tr("number %1").arg(each.user_id)
-                                                     : qstr(each.user_name);
-            person.last_utc = std::max(person.last_utc, each.last_utc);
-            person.tasks[each.task_id] = assessment::judge_standing(each.trials);
-            person.first_points[each.task_id] = each.first_points;
-            if (std::find(tasks_.begin(), tasks_.end(), each.task_id) == tasks_.end())
-                tasks_.push_back(each.task_id);
-        }
-        std::sort(tasks_.begin(), tasks_.end());
-        for (auto& [id, person] : people) people_.push_back(std::move(person));
-        QCollator by_name;
-        std::sort(people_.begin(), people_.end(), [&](const Person& a, const Person& b) {
-            return by_name.compare(a.name, b.name) < 0;
-        });
-    }
-
     /// The page of attempts may list some that do not count.
     [[nodiscard]] QString whyEmpty() const {
         const auto made = context_.store().attempts().page({}).rows;
         if (made.empty())
             return tr("Nobody has made an attempt yet. Once a trainee has, it shows up here.");
         return why_nobody_counts(made);
-    }
-
-    [[nodiscard]] static QString wordOf(Standing standing) {
-        switch (standing) {
-            case Standing::kNotTried:
-                return tr("not tried");
-            case Standing::kLearning:
-                return tr("learning");
-            case Standing::kPassing:
-                return tr("passing");
-            case Standing::kRegressed:
-                return tr("regressed");
-            case Standing::kStuck:
-                return tr("stuck");
-        }
-        return {};
-    }
-    [[nodiscard]] static bool needsHelp(Standing standing) {
-        return standing == Standing::kStuck || standing == Standing::kRegressed;
     }
 
     QWidget* helpCard() {
@@ -157,7 +93,7 @@ class CohortPage : public Page {
         int shown = 0, waiting = 0;
         // Who is stuck first; the rest of a long list is in the table, behind its own switch.
         for (const Standing kind : {Standing::kStuck, Standing::kRegressed})
-            for (const Person& person : people_)
+            for (const CohortPerson& person : people_)
                 for (const auto& [task, cell] : person.tasks) {
                     if (cell.standing != kind) continue;
                     if (shown < kMostHelpLines)
@@ -180,11 +116,11 @@ class CohortPage : public Page {
         return make_card(layout);
     }
 
-    QHBoxLayout* helpLine(const Person& person, const std::string& task, const CohortCell& cell,
-                          int number) {
+    QHBoxLayout* helpLine(const CohortPerson& person, const std::string& task,
+                          const CohortCell& cell, int number) {
         auto* line = new QHBoxLayout;
         line->setSpacing(kSpace12);
-        line->addWidget(make_badge(wordOf(cell.standing),
+        line->addWidget(make_badge(standing_words(cell.standing),
                                    cell.standing == Standing::kStuck ? "critical" : "warn"));
         line->addWidget(make_label(tr("%1 · %2 · last %3, best %4, attempts %5")
                                        .arg(person.name, task_title(context_, task),
@@ -220,7 +156,7 @@ class CohortPage : public Page {
         table_->setSelectionBehavior(QAbstractItemView::SelectItems);
         table_->setRowCount(static_cast<int>(people_.size()));
         for (int row = 0; row < table_->rowCount(); ++row) {
-            const Person& person = people_[static_cast<size_t>(row)];
+            const CohortPerson& person = people_[static_cast<size_t>(row)];
             table_->setItem(row, 0, make_cell(person.name));
             table_->item(row, 0)->setData(Qt::UserRole, row);
             table_->setItem(row, 1, make_cell(format_when(person.last_utc)));
@@ -255,18 +191,18 @@ class CohortPage : public Page {
     /// Then a cell holds the score alone, and how many attempts stand behind it in its tool tip.
     [[nodiscard]] bool manyTasks() const { return tasks_.size() > 4; }
 
-    QTableWidgetItem* cellOf(const Person& person, const std::string& task) {
+    QTableWidgetItem* cellOf(const CohortPerson& person, const std::string& task) {
         const auto found = person.tasks.find(task);
         if (found == person.tasks.end()) return make_number_cell("–", -1);
         const CohortCell& cell = found->second;
         const char* sign = cell.standing == Standing::kPassing ? "✓"
-                           : needsHelp(cell.standing)          ? "▼"
+                           : needs_help(cell.standing)         ? "▼"
                                                                : "·";
         QString words = QString("%1 %2").arg(sign, format_points(cell.last));
         if (!manyTasks()) words += QString("  %1×").arg(cell.attempts);
         QTableWidgetItem* item = make_number_cell(words, cell.last);
         item->setToolTip(
-            wordOf(cell.standing) + " · " +
+            standing_words(cell.standing) + " · " +
             tr("best %1, passed in a row: %2").arg(format_points(cell.best)).arg(cell.streak) +
             " · " + tr("attempts: %1").arg(cell.attempts));
         const Tokens& colors = context_.colors();
@@ -294,7 +230,7 @@ class CohortPage : public Page {
             const auto& tasks = people_[static_cast<size_t>(row)].tasks;
             const bool wanted = !help_->isChecked() ||
                                 std::any_of(tasks.begin(), tasks.end(), [](const auto& each) {
-                                    return needsHelp(each.second.standing);
+                                    return needs_help(each.second.standing);
                                 });
             table_->setRowHidden(row, !wanted);
         }
@@ -329,25 +265,7 @@ class CohortPage : public Page {
             delete item;
         }
         const std::string task = chooser_->currentData().toString().toStdString();
-        reports::StripGroup first{tr("first attempt").toStdString(), {}},
-            last{tr("last attempt").toStdString(), {}}, best{tr("best attempt").toStdString(), {}};
-        for (const Person& person : people_) {
-            const auto found = person.tasks.find(task);
-            if (found == person.tasks.end()) continue;
-            first.values.push_back(person.first_points.at(task));
-            last.values.push_back(found->second.last);
-            best.values.push_back(found->second.best);
-        }
-        const reports::Figure figure =
-            reports::strip_figure("scores", {}, tr("score [points of 100]").toStdString(),
-                                  {first, last, best}, chart_style(context_.theme()));
-        QWidget* picture = make_picture(
-            [figure](QPainter& painter, const QRectF& where) { figure.draw(painter, where); },
-            QSize(480, static_cast<int>(figure.height)), tr("Scores of a task"),
-            tr("First, last and best score of %n person(s).", nullptr,
-               static_cast<int>(first.values.size())));
-        picture->setObjectName("distribution");
-        picture->setFixedHeight(static_cast<int>(figure.height));
+        QWidget* picture = make_scores_picture(context_, people_, task);
         pictures_->addWidget(picture);
     }
 
@@ -357,25 +275,14 @@ class CohortPage : public Page {
         if (path.isEmpty()) return;
         context_.guard(tr("Exporting the cohort"), [&] {
             context_.require(db::Action::kViewPersonalData, db::Scope::kOther);
-            std::string csv = reports::csv_line({"person", "task", "standing", "attempts",
-                                                 "last_points", "best_points", "passed_in_a_row"});
-            static constexpr const char* kWords[]{"not_tried", "learning", "passing", "regressed",
-                                                  "stuck"};
-            for (const Person& person : people_)
-                for (const auto& [task, cell] : person.tasks)
-                    csv += reports::csv_line({reports::harmless(person.name.toStdString()), task,
-                                              kWords[static_cast<size_t>(cell.standing)],
-                                              std::to_string(cell.attempts),
-                                              QString::number(cell.last, 'f', 1).toStdString(),
-                                              QString::number(cell.best, 'f', 1).toStdString(),
-                                              std::to_string(cell.streak)});
+            const std::string csv = cohort_csv(people_);
             reports::save_file(path.toStdString(), csv);
             context_.audit("export.cohort", "cohort", path);
             Q_EMIT written(tr("Cohort written: %1").arg(path), path);
         });
     }
 
-    std::vector<Person> people_;
+    std::vector<CohortPerson> people_;
     std::vector<std::string> tasks_;
     QCheckBox* help_ = nullptr;
     QTableWidget* table_ = nullptr;
