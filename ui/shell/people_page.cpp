@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // People: an administrator creates accounts, closes and opens them, and gives a new password.
 
-#include <QApplication>
 #include <QCheckBox>
-#include <QElapsedTimer>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
-#include <QStyle>
 
 #include "ui/shell/account_fields.h"
+#include "ui/shell/new_person_card.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/table_width.h"
@@ -19,7 +17,7 @@ namespace placode::ui {
 namespace {
 
 constexpr int kUserIdRole = Qt::UserRole + 1;
-constexpr int kBothBeside = 1060, kNewCard = 320, kLeastTable = 300;  ///< [px]
+constexpr int kBothBeside = 1060, kLeastTable = 300;  ///< [px]
 
 class PeoplePage : public Page {
     Q_DECLARE_TR_FUNCTIONS(PeoplePage)
@@ -55,7 +53,8 @@ class PeoplePage : public Page {
         left->addWidget(table_, 1);
         left->addWidget(selectedCard());
         row_->addLayout(left, 1);
-        row_->addWidget(newCard(), 0, Qt::AlignTop);
+        new_card_ = new NewPersonCard(context, *this, [this] { fill(); });
+        row_->addWidget(new_card_, 0, Qt::AlignTop);
         layout->addLayout(row_, 1);
         fill();
     }
@@ -68,86 +67,8 @@ class PeoplePage : public Page {
         Page::resizeEvent(event);
         const bool wide = width() >= kBothBeside;
         row_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-        fields_->setDirection(wide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-        role_boxes_->setDirection(fields_->direction());
-        role_boxes_->setSpacing(wide ? 0 : kSpace24);
-        new_card_->setMinimumWidth(wide ? kNewCard : 0);
-        new_card_->setMaximumWidth(wide ? kNewCard : QWIDGETSIZE_MAX);
+        new_card_->layOut(wide);
         row_->setAlignment(new_card_, wide ? Qt::AlignTop : Qt::Alignment());
-    }
-
-    QWidget* newCard() {
-        auto* layout = new QVBoxLayout;
-        layout->setSpacing(kSpace12);
-        layout->addWidget(make_label(tr("Add a person"), "heading"));
-        name_ = new QLineEdit;
-        name_->setObjectName("new_name");
-        login_ = new QLineEdit;
-        login_->setObjectName("new_login");
-        password_ = new QLineEdit;
-        password_->setObjectName("new_password");
-        password_->setPlaceholderText(password_rule());
-        password_->setEchoMode(QLineEdit::Password);
-        fields_ = new QVBoxLayout;
-        fields_->setSpacing(kSpace12);
-        fields_->addLayout(make_field(tr("Name"), name_));
-        fields_->addLayout(make_field(tr("Log-in name"), login_));
-        fields_->addLayout(make_field(tr("First password"), password_));
-        layout->addLayout(fields_);
-        role_boxes_ = new QVBoxLayout;
-        for (const db::Role role : {db::Role::kTrainee, db::Role::kEducator, db::Role::kCoordinator,
-                                    db::Role::kAdministrator}) {
-            auto* box = new QCheckBox(role_names(static_cast<db::Roles>(role)));
-            box->setObjectName(QString("role_%1").arg(static_cast<int>(role)));
-            roles_.emplace_back(box, role);
-            role_boxes_->addWidget(box);
-        }
-        role_boxes_->addStretch();
-        layout->addLayout(role_boxes_);
-        message_ = make_label({}, "critical");
-        message_->setObjectName("add_message");
-        message_->hide();
-        layout->addWidget(message_);
-        role_summary_ = make_label({}, "small");
-        role_summary_->setObjectName("role_summary");
-        layout->addWidget(role_summary_);
-        QPushButton* add = make_button(context_, tr("Add the person"), "primary", "plus");
-        add->setObjectName("add_person");
-        connect(add, &QPushButton::clicked, this, [this] { this->add(); });
-        enter_submits({name_, login_, password_}, this, [this] { this->add(); });
-        hide_when_edited(message_, {name_, login_, password_});
-        layout->addWidget(add);
-        for (const auto& [box, role] : roles_) {
-            connect(box, &QCheckBox::toggled, this, [this] { showRoles(); });
-            enter_submits({box}, this, [this] { this->add(); });
-        }
-        resetRoles();
-        new_card_ = make_card(layout);
-        return new_card_;
-    }
-
-    /// Most people are trainees; what was ticked for the one before is not for the next.
-    void resetRoles() {
-        for (const auto& [box, role] : roles_) box->setChecked(role == db::Role::kTrainee);
-        showRoles();
-    }
-
-    [[nodiscard]] db::Roles chosenRoles() const {
-        db::Roles roles = 0;
-        for (const auto& [box, role] : roles_)
-            if (box->isChecked()) roles |= static_cast<db::Roles>(role);
-        return roles;
-    }
-
-    /// Who is more than a trainee may see and change more: said before the button is pressed.
-    void showRoles() {
-        const db::Roles roles = chosenRoles();
-        const bool more = roles != static_cast<db::Roles>(db::Role::kTrainee);
-        role_summary_->setText(roles == 0 ? tr("No role is ticked.")
-                                          : tr("Will be: %1").arg(role_names(roles)));
-        role_summary_->setProperty("role", more ? "warn" : "small");
-        role_summary_->style()->unpolish(role_summary_);
-        role_summary_->style()->polish(role_summary_);
     }
 
     QWidget* selectedCard() {
@@ -298,45 +219,6 @@ class PeoplePage : public Page {
         showRolesButton();
     }
 
-    void add() {
-        // The second click of two that were meant as one.
-        const bool empty = name_->text().isEmpty() && login_->text().isEmpty();
-        if (empty && added_.isValid() && added_.elapsed() < QApplication::doubleClickInterval())
-            return;
-        message_->hide();
-        FormProblem problem = first_missing({name_, login_});
-        if (!problem) problem = login_problem(login_);
-        if (const auto other = !problem ? whoHas(login_->text()) : std::nullopt)
-            problem = {tr("The log-in name %1 is taken: %2 has it. Choose another one.")
-                           .arg(qstr(other->login), qstr(other->display_name)),
-                       login_};
-        if (const QString rule = password_problem(password_->text()); !problem && !rule.isEmpty())
-            problem = {rule, password_};
-        db::NewUser user;
-        user.display_name = name_->text().trimmed().toStdString();
-        user.login = login_->text().trimmed().toStdString();
-        user.password = password_->text().toStdString();
-        user.roles = chosenRoles();
-        user.password_given = true;
-        if (!problem && user.roles == 0)
-            problem = {tr("A person needs at least one role."), nullptr};
-        if (problem) {
-            message_->setText(problem.text);
-            message_->show();
-            return go_to_field(problem.field);
-        }
-        context_.guard(tr("Adding the person"), [&] {
-            context_.store().accounts().create(user);
-            for (QLineEdit* field : {name_, login_, password_}) field->clear();
-            resetRoles();
-            name_->setFocus();
-            fill();
-            added_.start();
-            Q_EMIT notice(
-                tr("%1 was added: %2.").arg(qstr(user.display_name), role_names(user.roles)));
-        });
-    }
-
     void resetPassword() {
         const db::UserRecord* person = selected();
         if (person == nullptr) return;
@@ -364,22 +246,13 @@ class PeoplePage : public Page {
         });
     }
 
-    /// Whose log-in name it is; a store that does not answer says so when the person is added.
-    [[nodiscard]] std::optional<db::UserRecord> whoHas(const QString& login) {
-        std::optional<db::UserRecord> found;
-        (void)context_.problemOf(
-            [&] { found = context_.store().accounts().find_login(login.trimmed().toStdString()); });
-        return found;
-    }
-
     std::vector<db::UserRecord> people_;
-    QElapsedTimer added_;  ///< Since somebody was added.
-    std::vector<std::pair<QCheckBox*, db::Role>> roles_, selected_roles_;
-    QBoxLayout *row_ = nullptr, *fields_ = nullptr, *role_boxes_ = nullptr;
-    QFrame* new_card_ = nullptr;
+    std::vector<std::pair<QCheckBox*, db::Role>> selected_roles_;
+    QBoxLayout* row_ = nullptr;
+    NewPersonCard* new_card_ = nullptr;
     QTableWidget* table_ = nullptr;
-    QLabel *selected_ = nullptr, *role_summary_ = nullptr, *message_ = nullptr;
-    QLineEdit *name_ = nullptr, *login_ = nullptr, *password_ = nullptr, *new_password_ = nullptr;
+    QLabel* selected_ = nullptr;
+    QLineEdit* new_password_ = nullptr;
     QWidget* roles_row_ = nullptr;
     QPushButton *reset_ = nullptr, *active_ = nullptr, *change_roles_ = nullptr;
 };
