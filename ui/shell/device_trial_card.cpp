@@ -13,21 +13,13 @@
 #include "ui/shell/app_context.h"
 #include "ui/shell/details.h"
 #include "ui/shell/parts.h"
-#include "ui/shell/signal_view.h"
+#include "ui/shell/trial_arms.h"
 
 namespace placode::ui {
 namespace {
 
 /// Forces of the test, one after the other; the first is 0.5 N.
 constexpr std::array<double, 4> kLevelsN{0.5, 1, 2, 3};
-
-void retone(QLabel* badge, const QString& text, const char* tone) {
-    if (badge->text() == text) return;
-    badge->setText(text);
-    badge->setProperty("tone", tone);
-    badge->style()->unpolish(badge);
-    badge->style()->polish(badge);
-}
 
 class TrialCard : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(TrialCard)
@@ -36,6 +28,7 @@ class TrialCard : public QFrame {
         : context_(context),
           device_(device),
           wishes_(wishes),
+          arms_(context),
           tester_(context.launcher().options()) {
         setProperty("role", "card");
         setObjectName("trial_card");
@@ -44,9 +37,7 @@ class TrialCard : public QFrame {
         layout->setSpacing(kSpace12);
         layout->addLayout(head());
         layout->addWidget(guide());
-        arms_ = new QVBoxLayout;
-        arms_->setSpacing(kSpace12);
-        layout->addLayout(arms_);
+        layout->addLayout(arms_.layout());
         loop_ = make_label(tr("Waiting for the device…"), "small");
         loop_->setObjectName("trial_loop");
         layout->addWidget(loop_);
@@ -164,56 +155,10 @@ class TrialCard : public QFrame {
                 .arg(format_number(level(), 1)));
     }
 
-    void rebuildArms(const TrialState& state) {
-        while (QLayoutItem* item = arms_->takeAt(0)) {
-            if (item->widget() != nullptr) item->widget()->deleteLater();
-            delete item;
-        }
-        rows_.clear();
-        for (size_t i = 0; i < state.arms.size(); ++i) {
-            auto* box = new QWidget;
-            auto* layout = new QVBoxLayout(box);
-            layout->setContentsMargins(0, 0, 0, 0);
-            layout->setSpacing(kSpace4);
-            auto* line = new QHBoxLayout;
-            line->setSpacing(kSpace8);
-            Row row;
-            row.name = make_label(state.arms[i].name);
-            row.name->setObjectName(QString("arm_name_%1").arg(i));
-            row.name->setWordWrap(false);
-            row.status = make_badge("–", "");
-            row.status->setObjectName(QString("arm_status_%1").arg(i));
-            row.keys = make_label({}, "small");
-            row.keys->setObjectName(QString("arm_keys_%1").arg(i));
-            row.keys->setWordWrap(false);
-            line->addWidget(row.name);
-            line->addWidget(row.status);
-            line->addStretch();
-            line->addWidget(row.keys);
-            layout->addLayout(line);
-            row.view = new SignalView(context_.colors());
-            row.view->setAccessibleName(tr("Signals of %1").arg(state.arms[i].name));
-            row.view->setFixedHeight(200);
-            layout->addWidget(row.view);
-            arms_->addWidget(box);
-            rows_.push_back(row);
-        }
-    }
-
     void update() {
         const TrialState& state = tester_.state();
-        if (rows_.size() != state.arms.size()) rebuildArms(state);
-        bool force = false;
-        for (size_t i = 0; i < rows_.size(); ++i) {
-            const TriedArm& arm = state.arms[i];
-            force = force || arm.force_device;
-            rows_[i].name->setText(
-                (arm.hand == "left" ? tr("Left hand: %1") : tr("Right hand: %1")).arg(arm.name));
-            showStatus(rows_[i].status, arm);
-            rows_[i].keys->setText(keysOf(arm));
-            rows_[i].view->show(arm, state.limit_n, state.floor);
-        }
-        rights_->setVisible(!rows_.empty() && !state.real_time);
+        const bool force = arms_.show(state);
+        rights_->setVisible(!arms_.empty() && !state.real_time);
         QString loop =
             tr("Loop: %1 µs, 99.9 %: %2 µs, drop-outs %3, faults %4. Force at most %5 N, "
                "stiffness %6 N/m.")
@@ -225,30 +170,9 @@ class TrialCard : public QFrame {
         loop_->setText(loop);
         floor_->setText(state.floor ? tr("Take the floor away") : tr("Put a floor under the hand"));
         for (QPushButton* button : {floor_, good_, bad_}) button->setEnabled(force);
-        if (!force && !rows_.empty())
+        if (!force && !arms_.empty())
             force_text_->setText(tr("This device gives no force: there is nothing to test."));
         showHands(state);
-    }
-
-    static void showStatus(QLabel* badge, const TriedArm& arm) {
-        if (arm.status == "ready") return retone(badge, tr("ready"), "good");
-        if (arm.status == "resting")
-            return retone(badge, tr("rests: take it out of its inkwell or cradle"), "warn");
-        if (arm.status == "not_calibrated")
-            return retone(badge, tr("not calibrated: follow the steps above"), "critical");
-        if (arm.status == "lost")
-            return retone(badge, tr("lost: is it plugged in and switched on?"), "critical");
-        retone(badge, tr("fault"), "critical");
-    }
-
-    static QString keysOf(const TriedArm& arm) {
-        QStringList held;
-        for (unsigned i = 0; i < 4; ++i)
-            if ((arm.buttons >> i & 1u) != 0) held << tr("button %1").arg(i + 1);
-        if ((arm.pedals & 1u) != 0) held << tr("yellow pedal");
-        if ((arm.pedals & 2u) != 0) held << tr("blue pedal");
-        const QString turn = tr("turn %1°").arg(format_number(arm.roll_deg, 0));
-        return held.isEmpty() ? turn : turn + " · " + held.join(", ");
     }
 
     void showHands(const TrialState& state) {
@@ -338,18 +262,12 @@ class TrialCard : public QFrame {
 
     static std::string number_text(double value) { return QString::number(value).toStdString(); }
 
-    struct Row {
-        QLabel *name = nullptr, *status = nullptr, *keys = nullptr;
-        SignalView* view = nullptr;
-    };
-
     AppContext& context_;
     QString device_;
     StationWishes wishes_;
     size_t level_ = 0;
     bool answered_ = false;
-    std::vector<Row> rows_;
-    QVBoxLayout* arms_ = nullptr;
+    TrialArms arms_;
     QPushButton *stop_ = nullptr, *floor_ = nullptr, *good_ = nullptr, *bad_ = nullptr,
                 *identify_ = nullptr, *swap_ = nullptr;
     Details* details_ = nullptr;
