@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "assessment/standard_setting.h"
@@ -18,6 +19,9 @@ namespace placode::ui {
 
 /// A share as percent, without places.
 [[nodiscard]] QString percent_text(double share);
+
+/// The standard of a task that holds today: its mark, since when, and where it comes from.
+[[nodiscard]] QWidget* make_present_standard_card(AppContext& context, const std::string& task_id);
 
 /// The mark between two groups with its picture and its cost; or why there is none.
 /// @param novices, experts mean points of each person. @param saving adds what keeps the mark;

@@ -100,7 +100,7 @@ class StandardsPage : public Page {
             if (item->widget()) item->widget()->deleteLater();
             delete item;
         }
-        body_->addWidget(presentCard());
+        body_->addWidget(make_present_standard_card(context_, task()));
         body_->addWidget(groupsCard());
         result_ = new QVBoxLayout;
         auto* holder = new QWidget;
@@ -117,46 +117,6 @@ class StandardsPage : public Page {
                 };
             body_->addWidget(make_angoff_card(context_, task(), save));
         });
-    }
-
-    /// What holds today, and since when.
-    QWidget* presentCard() {
-        const auto set = db::standard_at(context_.store(), task());
-        auto* layout = new QVBoxLayout;
-        layout->setSpacing(kSpace4);
-        layout->addWidget(make_label(tr("The standard that holds"), "heading"));
-        QLabel* mark = make_label({});
-        mark->setObjectName("standard_now");
-        layout->addWidget(mark);
-        if (set) {
-            mark->setText(tr("Pass mark %1 points, version %2, set by %3 on %4")
-                              .arg(format_number(set->standard.pass_points, 1))
-                              .arg(set->standard.version)
-                              .arg(qstr(set->set_by), format_when(set->set_utc)));
-            layout->addWidget(make_label(originOf(*set), "small"));
-        } else {
-            double pass = 0;
-            const auto problem = context_.problemOf(
-                [&] { pass = curriculum::load_task(task()).rubric.pass_points; });
-            mark->setText(problem ? problem->title
-                                  : tr("None was set: the task's own pass mark of %1 points holds.")
-                                        .arg(format_points(pass)));
-        }
-        return make_card(layout);
-    }
-
-    [[nodiscard]] static QString originOf(const db::StandardRecord& set) {
-        const curriculum::PassStandard& standard = set.standard;
-        if (standard.method == "angoff")
-            return tr("From the estimates of %n judge(s), standard error %1 points. %2", nullptr,
-                      standard.angoff.judges)
-                .arg(format_number(standard.angoff.se_points, 1), qstr(set.reason));
-        return tr("Novices: %1, experts: %2; novices who pass: %3 by the curves, %4 "
-                  "observed. %5")
-            .arg(standard.novice.n)
-            .arg(standard.expert.n)
-            .arg(percent_text(standard.novice.theoretical_wrong),
-                 percent_text(standard.novice.observed_wrong), qstr(set.reason));
     }
 
     /// The mark becomes the task's standard: attempts from now on are judged by it.
