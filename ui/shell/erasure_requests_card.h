@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Who asks to be erased, for an administrator: the list, the erasure and its certificate.
+
+#include <QFrame>
+
+#include "db/erasure.h"
+#include "ui/shell/pages.h"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace placode::ui {
+
+class ErasureRequestsCard : public QFrame {
+    Q_DECLARE_TR_FUNCTIONS(AdmissionsPage)
+ public:
+    /// @param page speaks for the card.
+    ErasureRequestsCard(AppContext& context, Page& page);
+
+ private:
+    void showRequests();
+    void erase(int64_t id, const QString& name);
+    void erased(const db::Erasure& erasure, const QString& name);
+    void saveCertificate();
+
+    AppContext& context_;
+    Page& page_;
+    QTableWidget* requests_ = nullptr;
+    QCheckBox* with_attempts_ = nullptr;
+    db::Erasure erasure_;  ///< The last one.
+    QLabel *left_ = nullptr, *none_ = nullptr;
+    QPushButton* certificate_ = nullptr;
+};
+
+}  // namespace placode::ui
