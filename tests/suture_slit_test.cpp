@@ -125,6 +125,10 @@ TEST(SutureSlit, AnIntermediateMakesItTightButNotAsWell) {
     EXPECT_EQ(run.value("torn_volume_mm3"), 0);
     EXPECT_EQ(run.value("over_force_count"), 0);
     EXPECT_GT(run.value("slit_burst_cmh2o"), 6);
+    // Content with 90 mN where the expert draws until 120: it holds less.
+    EXPECT_LT(run.value("slit_burst_cmh2o"), 0.6 * expert().value("slit_burst_cmh2o"));
+    EXPECT_NEAR(run.value("draw_pull_least_mn"), 90, 8);
+    EXPECT_GE(expert().value("draw_pull_least_mn"), 120);
     EXPECT_LT(run.score.points, expert().score.points - 5);
 }
 

@@ -5,6 +5,7 @@
 #include <signal.h>
 
 #include <QDialog>
+#include <QDir>
 #include <QFile>
 #include <QPlainTextEdit>
 #include <QProcess>
@@ -23,6 +24,7 @@ class ShellDiagnosticsTest : public QObject {
     void nothingIsOfferedWhereNothingCrashed();
     void aCrashIsSaidOnceWithAWayToItsReport();
     void theLogIsReadSavedAndHoldsNoNames();
+    void theDailyBackupIsSwitchedFromThePage();
 
  private:
     /// What the dialog does while it is open; it is closed behind it.
@@ -70,7 +72,7 @@ void ShellDiagnosticsTest::aCrashIsSaidOnceWithAWayToItsReport() {
     QString read;
     whileOpen([&](QDialog& dialog) {
         read = dialog.findChild<QPlainTextEdit*>("diagnostics_text")->toPlainText();
-        dialog.grab().save(shell_->shotFile("99_diagnostics"));
+        shell_->keep(dialog.grab(), "99_diagnostics");
     });
     QVERIFY(shell_->click("banner_offer"));
     QVERIFY2(read.contains("signal: SIGSEGV") && read.contains("placode-sim"), qPrintable(read));
@@ -107,6 +109,60 @@ void ShellDiagnosticsTest::theLogIsReadSavedAndHoldsNoNames() {
     QVERIFY2(text.contains("placode-sim") && text.contains("task=touch_targets"), qPrintable(text));
     for (const char* name : {"ada", "Ada", "demo", "/tmp", "/home", "sqlite"})
         QVERIFY2(!text.contains(name), name);
+}
+
+// A systemctl of the test's own, which remembers in a file.
+void ShellDiagnosticsTest::theDailyBackupIsSwitchedFromThePage() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("ada", "correct horse"));
+    const QString on = shell.path("timer_on"), folder = shell.path("bin");
+    QVERIFY(QDir().mkpath(folder));
+    QFile fake(folder + "/systemctl");
+    QVERIFY(fake.open(QIODevice::WriteOnly));
+    fake.write(QString("#!/bin/sh\n[ \"$1\" = --user ] || exit 9\ncase \"$2\" in\n"
+                       "is-enabled) [ -e %1 ] && echo enabled && exit 0; echo disabled; exit 1;;\n"
+                       "enable) touch %1;;\ndisable) rm %1;;\nesac\n")
+                   .arg(on)
+                   .toUtf8());
+    fake.close();
+    fake.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    const QByteArray path = qgetenv("PATH");
+    qputenv("PATH", folder.toLocal8Bit() + ":" + path);
+    qputenv("PLACODE_BACKUP_FOLDER", shell.path("copies").toLocal8Bit());
+    QVERIFY(QDir().mkpath(shell.path("copies")));
+    const auto says = [&](const char* words) {
+        return QTest::qWaitFor([&] { return shell.text("daily_state").contains(words); }, 20000);
+    };
+    shell.window().open({PageId::kHealth, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kHealth));
+    QVERIFY(says("It is off."));
+    QVERIFY(shell.text("daily_newest").contains("No daily copy"));
+    QVERIFY(shell.click("daily_switch"));
+    QVERIFY(says("It is on."));
+    QVERIFY(QFile::exists(on));
+    QVERIFY(QFile(shell.path("copies/placode-20260101-030000.backup.db")).open(QFile::WriteOnly));
+    QVERIFY(QFile(shell.path("copies/placode-20260102-030000.backup.db.failed"))
+                .open(QFile::WriteOnly));
+    shell.window().open({PageId::kAudit, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kAudit));
+    shell.window().open({PageId::kHealth, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kHealth));
+    QVERIFY(says("It is on."));
+    QVERIFY(shell.text("daily_newest").contains("did not pass its check"));
+    shell.whole("99_health_daily");
+    QVERIFY2(says("It is on."), "the other theme makes the page anew");
+    QVERIFY(shell.click("daily_switch"));
+    QVERIFY(says("It is off."));
+    QVERIFY(!QFile::exists(on));
+    // Without systemd it says so, and offers nothing that cannot work.
+    qputenv("PATH", shell.path("nothing").toLocal8Bit());
+    shell.window().open({PageId::kAudit, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kAudit));
+    shell.window().open({PageId::kHealth, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kHealth));
+    QVERIFY(says("cannot be switched here"));
+    QVERIFY(!shell.find<QPushButton>("daily_switch")->isVisible());
+    qputenv("PATH", path);
 }
 
 }  // namespace placode::ui

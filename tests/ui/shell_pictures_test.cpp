@@ -39,6 +39,8 @@ QJsonArray words_of(const QWidget& window) {
         if (!button->isVisible() || button->text().trimmed().isEmpty()) continue;
         // How many reasons there are hangs on the attempt, and on the processor's last bits.
         if (button->objectName() == "user_menu" || button->objectName() == "more_reasons") continue;
+        // Whether there is one hangs on the computer's systemd.
+        if (button->objectName() == "daily_switch") continue;
         words.insert(button->text().remove(kDigits).trimmed());
     }
     QJsonArray all;

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <memory>
 
+#include "ui/shell/daily_backup_card.h"
 #include "ui/shell/details.h"
 #include "ui/shell/diagnostics_dialog.h"
 #include "ui/shell/pages.h"
@@ -25,6 +26,8 @@ class HealthPage : public Page {
         column->addWidget(make_label(tr("Backup and health"), "display"));
         column->addWidget(checkCard());
         column->addWidget(backupCard());
+        if (qstr(context.store().url()).startsWith("sqlite:"))
+            column->addWidget(make_daily_backup_card(context));
         column->addWidget(programsCard());
         column->addStretch();
     }

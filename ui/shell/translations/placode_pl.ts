@@ -944,6 +944,14 @@
         <translation>zapisano urządzenia stanowiska</translation>
     </message>
     <message>
+        <source>switched the daily backup on</source>
+        <translation>włączono codzienną kopię</translation>
+    </message>
+    <message>
+        <source>switched the daily backup off</source>
+        <translation>wyłączono codzienną kopię</translation>
+    </message>
+    <message>
         <source>made a backup</source>
         <translation>utworzono kopię zapasową</translation>
     </message>
@@ -2004,6 +2012,61 @@
     <message>
         <source>h0 %1 acceptable</source>
         <translation>h0 %1 do przyjęcia</translation>
+    </message>
+</context>
+<context>
+    <name>DailyBackupCard</name>
+    <message>
+        <source>Every day by itself</source>
+        <translation>Codziennie sama</translation>
+    </message>
+    <message>
+        <source>A copy of this user's store every day, opened and checked; the last 30 stay. Copy their folder to another disk yourself.</source>
+        <translation>Codziennie kopia bazy tego użytkownika, otwarta i sprawdzona; zostaje 30 ostatnich. Na inny dysk skopiuj ich folder samodzielnie.</translation>
+    </message>
+    <message>
+        <source>Switch on</source>
+        <translation>Włącz</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>Wyłącz</translation>
+    </message>
+    <message>
+        <source>✓ It is on.</source>
+        <translation>✓ Włączona.</translation>
+    </message>
+    <message>
+        <source>It is off.</source>
+        <translation>Wyłączona.</translation>
+    </message>
+    <message>
+        <source>It cannot be switched here: Placode was not installed as a package, or this computer runs no systemd for users.</source>
+        <translation>Nie można jej tu włączyć: Placode nie zainstalowano z pakietu albo na tym komputerze nie działa systemd użytkownika.</translation>
+    </message>
+    <message>
+        <source>The daily backup could not be switched.</source>
+        <translation>Nie udało się przełączyć codziennej kopii.</translation>
+    </message>
+    <message>
+        <source>Ask whoever looks after this computer.</source>
+        <translation>Poproś osobę, która opiekuje się tym komputerem.</translation>
+    </message>
+    <message>
+        <source>Writing the audit</source>
+        <translation>Zapis w dzienniku</translation>
+    </message>
+    <message>
+        <source>No daily copy was made yet.</source>
+        <translation>Nie ma jeszcze codziennej kopii.</translation>
+    </message>
+    <message>
+        <source>The newest daily copy did not pass its check: %1</source>
+        <translation>Najnowsza codzienna kopia nie przeszła sprawdzenia: %1</translation>
+    </message>
+    <message>
+        <source>Newest daily copy: %1</source>
+        <translation>Najnowsza codzienna kopia: %1</translation>
     </message>
 </context>
 <context>
