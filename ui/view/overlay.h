@@ -105,6 +105,7 @@ class Overlay {
     [[nodiscard]] int tuning_item_at(double x, double y) const { return tuning_.item_at(x, y); }
 
  private:
+    // overlay_words.cpp: clock, phase, goal, keys, banner, note.
     void read_outs();
     /// Each writes from `y` on, beside the circle where there is `room` [px]; returns its foot.
     double task_words(double y, double room);
@@ -112,6 +113,7 @@ class Overlay {
     void keys();
     double banner(double y, double room);
     void notice(double room);
+    // overlay.cpp
     void energy();
     // overlay_meters.cpp: a bar of force per hand, what the machine does.
     void force();
@@ -130,6 +132,7 @@ class Overlay {
     [[nodiscard]] std::string amount_text() const;
     // overlay_goal.cpp, overlay_targets.cpp: what the present step is about, in the picture.
     void goals();
+    void anchor_watch(int tool);
     void targets();
     void suture_line();
     void exam_targets();

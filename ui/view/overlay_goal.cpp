@@ -39,6 +39,25 @@ int Overlay::tool_of(Hand hand) const {
     return found;
 }
 
+/// A step begins: what its marks are measured from.
+void Overlay::anchor_watch(int tool) {
+    const PracticeGoal& goal = state_->practice.goal;
+    const auto t = static_cast<size_t>(tool);
+    const Pose& pose = snapshot_->tools[t].pose;
+    const TipFoot& foot = tips_->feet[t];
+    const bool scope = goal.step.hand == Hand::kCamera;
+    watch_.right_mm = camera_->right;
+    watch_.shaft = pose.q * Vec3::UnitZ();
+    // Of the scope it is what lies in the middle of its picture, at the height of the field.
+    const double down = std::min(-0.2, camera_->forward.z());
+    watch_.anchor_mm =
+        scope ? Vec3(camera_->position_mm - camera_->position_mm.z() / down * camera_->forward)
+              : Vec3(1000 * pose.p);
+    watch_.deepest_mm =
+        foot.found ? std::clamp(foot.height_mm - kAboveTissueMm, 1.0, kSwingMm) : kSwingMm;
+    watch_.side = goal.step.kind == PracticeKind::kDepth ? -1 : 1;
+}
+
 void Overlay::goals() {
     if (!practising()) return;
     const PracticeGoal& goal = state_->practice.goal;
@@ -49,20 +68,8 @@ void Overlay::goals() {
                 tool >= 0 && snapshot_->tools[t].engaged != 0);
     if (goal.index >= goal.count || tool < 0) return;
     const Pose& pose = snapshot_->tools[t].pose;
-    const TipFoot& foot = tips_->feet[t];
     const bool scope = goal.step.hand == Hand::kCamera;
-    if (watch_.fresh()) {
-        watch_.right_mm = camera_->right;
-        watch_.shaft = pose.q * Vec3::UnitZ();
-        // Of the scope it is what lies in the middle of its picture, at the height of the field.
-        const double down = std::min(-0.2, camera_->forward.z());
-        watch_.anchor_mm =
-            scope ? Vec3(camera_->position_mm - camera_->position_mm.z() / down * camera_->forward)
-                  : Vec3(1000 * pose.p);
-        watch_.deepest_mm =
-            foot.found ? std::clamp(foot.height_mm - kAboveTissueMm, 1.0, kSwingMm) : kSwingMm;
-        watch_.side = goal.step.kind == PracticeKind::kDepth ? -1 : 1;
-    }
+    if (watch_.fresh()) anchor_watch(tool);
     if (snapshot_->tools[t].buried_m > 0) return;  // that comes first
     switch (goal.step.kind) {
         case PracticeKind::kMove:
