@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "ui/view/drawn_mesh.h"
 #include "ui/view/tissue_mesh.h"
 
 namespace placode::view {
@@ -19,24 +20,6 @@ namespace {
 
 using Eigen::Vector3f;
 using Edge = std::pair<int, int>;
-
-// What a vertex of these surfaces needs; they were never heated.
-struct Row {
-    Vector3f place, normal;
-    float depth_mm = 0, hollow = 0, fresh = 0;
-};
-
-void add(DrawnMesh& mesh, const Row& r) {
-    const Vector3f &p = r.place, &n = r.normal;
-    const float row[kTissueVertexFloats] = {p.x(), p.y(),  p.z(),    n.x(),      n.y(), n.z(),
-                                            p.x(), p.y(),  p.z(),    r.depth_mm, 0,     0,
-                                            0,     kBodyC, r.hollow, r.fresh};
-    mesh.vertices.insert(mesh.vertices.end(), std::begin(row), std::end(row));
-}
-
-void add_square(DrawnMesh& mesh, unsigned p, unsigned q) {  // p, p + 1 beside q, q + 1
-    mesh.indices.insert(mesh.indices.end(), {p, p + 1, q, q, p + 1, q + 1});
-}
 
 Vector3f rest_mm(const ViewField& field, int vertex) {
     const auto& p = field.rest[static_cast<size_t>(vertex)];
@@ -103,47 +86,6 @@ Rim rim_of(const ViewField& field) {
     return rim;
 }
 
-// Where the floor is not known it goes on as its neighbours do, a few cells at a time.
-std::vector<float> grown(const CanalFloor& floor, int cells) {
-    std::vector<float> height = floor.height_m;
-    const auto known = [](float h) { return h > -0.02F; };
-    for (int pass = 0; pass < cells; ++pass) {
-        const std::vector<float> before = height;
-        for (int j = 0; j < floor.rows; ++j) {
-            for (int i = 0; i < floor.columns; ++i) {
-                float sum = 0;
-                int count = 0;
-                for (int k = 0; k < 9; ++k) {
-                    const int x = i + k % 3 - 1, y = j + k / 3 - 1;
-                    if (x < 0 || y < 0 || x >= floor.columns || y >= floor.rows) continue;
-                    const float h = before[static_cast<size_t>(y * floor.columns + x)];
-                    if (!known(h)) continue;
-                    sum += h;
-                    ++count;
-                }
-                float& h = height[static_cast<size_t>(j * floor.columns + i)];
-                if (!known(h) && count > 0) h = sum / static_cast<float>(count);
-            }
-        }
-    }
-    return height;
-}
-
-// A margin of unknown cells around, into which the floor can grow.
-CanalFloor padded(const CanalFloor& floor, int cells) {
-    CanalFloor out = floor;
-    out.x_m -= cells * floor.cell_m;
-    out.y_m -= cells * floor.cell_m;
-    out.columns += 2 * cells;
-    out.rows += 2 * cells;
-    out.height_m.assign(static_cast<size_t>(out.columns * out.rows), -1.0F);
-    for (int j = 0; j < floor.rows; ++j) {
-        std::copy_n(floor.height_m.begin() + j * floor.columns, floor.columns,
-                    out.height_m.begin() + (j + cells) * out.columns + cells);
-    }
-    return out;
-}
-
 }  // namespace
 
 DrawnMesh build_skirt(const ViewField& field) {
@@ -169,7 +111,7 @@ DrawnMesh build_skirt(const ViewField& field) {
             const Vector3f n = (blend * rim.normals[static_cast<size_t>(v)].normalized() +
                                 (1 - blend) * back.normal(x, y))
                                    .normalized();
-            add(mesh, {Vector3f(x, y, z), n});
+            add_vertex(mesh, {Vector3f(x, y, z), n});
         }
     };
     for (const Edge& e : rim.edges) {
@@ -190,48 +132,14 @@ DrawnMesh build_wall() {
             const double a = 2 * std::numbers::pi * i / kAround,
                          b = std::numbers::pi * (j / double{kUp} - 0.5);
             const Vec3 unit(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b));
-            add(mesh, {(centre + half.cwiseProduct(unit)).cast<float>(),
-                       (-unit.cwiseQuotient(half)).normalized().cast<float>()});
+            add_vertex(mesh, {(centre + half.cwiseProduct(unit)).cast<float>(),
+                              (-unit.cwiseQuotient(half)).normalized().cast<float>()});
         }
     }
     for (unsigned j = 0; j < kUp; ++j) {
         for (unsigned i = 0; i < kAround; ++i) {
             const unsigned p = j * (kAround + 1) + i;
             add_square(mesh, p, p + kAround + 1);
-        }
-    }
-    return mesh;
-}
-
-DrawnMesh build_floor(const CanalFloor& given) {
-    constexpr float kLowest = -0.02F;  // [m] none there
-    constexpr double kBelow = 1e-4;    // [m] under what lies on it
-    constexpr double kReach = 0.002;   // [m] below the skin
-    constexpr float kDepthMm = 1.33F, kHollow = 0.35F;
-    DrawnMesh mesh;
-    if (given.columns < 2 || given.rows < 2) return mesh;
-    const int cells = static_cast<int>(std::ceil(kReach / given.cell_m));
-    CanalFloor floor = padded(given, cells);
-    floor.height_m = grown(floor, cells);
-    const auto height = [&](int i, int j) {
-        i = std::clamp(i, 0, floor.columns - 1);
-        j = std::clamp(j, 0, floor.rows - 1);
-        return std::max(floor.height_m[static_cast<size_t>(j * floor.columns + i)], kLowest);
-    };
-    const auto step = static_cast<float>(2 * floor.cell_m);
-    for (int j = 0; j < floor.rows; ++j) {
-        for (int i = 0; i < floor.columns; ++i) {
-            const Vec3 p(floor.x_m + i * floor.cell_m, floor.y_m + j * floor.cell_m,
-                         static_cast<double>(height(i, j)) - kBelow);
-            const Vector3f n((height(i - 1, j) - height(i + 1, j)) / step,
-                             (height(i, j - 1) - height(i, j + 1)) / step, 1);
-            add(mesh, {(1000 * p).cast<float>(), n.normalized(), kDepthMm, kHollow});
-            if (i + 1 == floor.columns || j + 1 == floor.rows) continue;
-            if (std::min({height(i, j), height(i + 1, j), height(i, j + 1),
-                          height(i + 1, j + 1)}) <= kLowest)
-                continue;
-            const auto a = static_cast<unsigned>(j * floor.columns + i);
-            add_square(mesh, a, a + static_cast<unsigned>(floor.columns));
         }
     }
     return mesh;
@@ -272,7 +180,7 @@ Bed::Bed(const ViewField& field) : rest_(field.rest) {
         // The upper edge of a side stays at the edge of the skirt.
         const Vector3f place = rest_mm(field, v) + (depth > 0.02F ? kOutMm : 0.0F) * out;
         field_z_.push_back(rest_mm(field, v).z());
-        add(mesh_, {place, -out, depth, kHollow, 1});
+        add_vertex(mesh_, {place, -out, depth, kHollow, 1});
     }
     for (const SurfaceTriangle* t : parts)
         for (const int32_t v : t->vertex) mesh_.indices.push_back(number[v]);
@@ -318,7 +226,7 @@ void Bed::follow(const Snapshot& snapshot) {
     for (size_t i = 0; i < vertex_of_.size(); ++i) {
         const auto v = static_cast<size_t>(vertex_of_[i]);
         float* row = &mesh_.vertices[i * kTissueVertexFloats];
-        const float rest = row[8];  // of the bed itself, see add()
+        const float rest = row[8];  // of the bed itself, see add_vertex()
         if (v >= snapshot.x.size()) continue;
         const float now = 1000 * snapshot.x[v][2];
         const float sunk = std::clamp(field_z_[i] - now, 0.0F, kDeepestMm);

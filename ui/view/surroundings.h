@@ -10,14 +10,10 @@
 #include <vector>
 
 #include "sim/step/snapshot.h"
+#include "ui/view/drawn_mesh.h"
 #include "ui/view/view_field.h"
 
 namespace placode::view {
-
-struct DrawnMesh {
-    std::vector<float> vertices;
-    std::vector<unsigned> indices;
-};
 
 /// The back beyond the field: follows the field's edge, never moves.
 [[nodiscard]] DrawnMesh build_skirt(const ViewField& field);
