@@ -11,11 +11,36 @@ namespace placode::view {
 
 using namespace sim;
 
+/// Label, and the value between its two buttons; or one button as wide as the panel.
+void TuningView::draw_row(TextPainter& paint, const TuningRow& r, const Hit& place, bool selected,
+                          double unit) {
+    const auto& [x, y, w, row, item] = place;
+    const double pad = 1.0 * unit, button = 1.9 * unit;
+    if (selected) paint.box(x + 0.3 * unit, y, 0.25 * unit, row - 0.3 * unit, kAccent);
+    const double base = y + 1.25 * unit;
+    if (r.button) {
+        paint.box(x + pad, y, w - 2 * pad, row - 0.3 * unit,
+                  selected ? kAccent.faded(0.35F) : kLine);
+        paint.text(x + 0.5 * w, base, r.label, TextSize::kSmall, kText, Align::kCentre);
+    } else {
+        paint.text(x + pad, base, r.label, TextSize::kSmall, selected ? kText : kMuted);
+        const double more = x + w - pad - button, less = more - button - 7.6 * unit;
+        for (const auto& [at, sign, part] :
+             {std::tuple{less, "\xE2\x88\x92", kTuningLess}, {more, "+", kTuningMore}}) {
+            paint.box(at, y, button, row - 0.3 * unit, kLine);
+            paint.text(at + 0.5 * button, base, sign, TextSize::kNormal, kText, Align::kCentre);
+            hits_.push_back({at, y, button, row, item + part});
+        }
+        paint.text(0.5 * (less + button + more), base, r.value, TextSize::kSmall,
+                   r.changed ? kWarn : kText, Align::kCentre);
+    }
+}
+
 void TuningView::draw(TextPainter& paint, const TuningOverlay& panel, double width, double height,
                       double unit) {
     hits_.clear();
     if (!panel.shown) return;
-    const double w = 21 * unit, row = 2.1 * unit, pad = 1.0 * unit, button = 1.9 * unit;
+    const double w = 21 * unit, row = 2.1 * unit, pad = 1.0 * unit;
     const std::vector<std::string> foot = paint.wrapped(panel.foot, TextSize::kSmall, w - 2 * pad);
     const double foot_h =
         static_cast<double>(foot.size()) * paint.line_height(TextSize::kSmall) + 0.8 * unit;
@@ -45,26 +70,8 @@ void TuningView::draw(TextPainter& paint, const TuningOverlay& panel, double wid
             paint.box(x + pad, y + 0.25 * unit, w - 2 * pad, 1, kLine);
             y += 0.6 * unit;
         }
-        const bool selected = static_cast<int>(i) == panel.selected;
-        if (selected) paint.box(x + 0.3 * unit, y, 0.25 * unit, row - 0.3 * unit, kAccent);
         hits_.push_back({x, y, w, row, item + kTuningWhole});
-        const double base = y + 1.25 * unit;
-        if (r.button) {
-            paint.box(x + pad, y, w - 2 * pad, row - 0.3 * unit,
-                      selected ? kAccent.faded(0.35F) : kLine);
-            paint.text(x + 0.5 * w, base, r.label, TextSize::kSmall, kText, Align::kCentre);
-        } else {
-            paint.text(x + pad, base, r.label, TextSize::kSmall, selected ? kText : kMuted);
-            const double more = x + w - pad - button, less = more - button - 7.6 * unit;
-            for (const auto& [at, sign, part] :
-                 {std::tuple{less, "\xE2\x88\x92", kTuningLess}, {more, "+", kTuningMore}}) {
-                paint.box(at, y, button, row - 0.3 * unit, kLine);
-                paint.text(at + 0.5 * button, base, sign, TextSize::kNormal, kText, Align::kCentre);
-                hits_.push_back({at, y, button, row, item + part});
-            }
-            paint.text(0.5 * (less + button + more), base, r.value, TextSize::kSmall,
-                       r.changed ? kWarn : kText, Align::kCentre);
-        }
+        draw_row(paint, r, {x, y, w, row, item}, static_cast<int>(i) == panel.selected, unit);
         y += row;
     }
     y += 0.9 * unit;

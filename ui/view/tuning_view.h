@@ -44,6 +44,9 @@ class TuningView {
         double x = 0, y = 0, w = 0, h = 0;
         int item = -1;
     };
+    void draw_row(TextPainter& paint, const TuningRow& r, const Hit& place, bool selected,
+                  double unit);
+
     std::vector<Hit> hits_;  // the smaller ones later
 };
 
