@@ -174,6 +174,20 @@ TEST(Architecture, EachRoomTouchesItsPartOfTheState) {
     }
 }
 
+// What is verified is what is felt: whoever touches tissue goes through the one core of contact.
+TEST(Architecture, OnlyTheCoreOfContactKnowsItsLaw) {
+    std::set<std::string> core_users;
+    for (const Include& include : includes()) {
+        if (include.target == "sim/contact/contact_law.h") {
+            EXPECT_EQ(include.file, "sim/contact/contact_core.h");
+        }
+        if (include.target == "sim/contact/contact_core.h") core_users.insert(include.file);
+    }
+    for (const char* user : {"sim/contact/contact.cpp", "sim/contact/contact_solve.cpp",
+                             "sim/verify/pressed_vertices.cpp"})
+        EXPECT_TRUE(core_users.contains(user)) << user;
+}
+
 TEST(Architecture, ThirdPartyHeadersStayInTheirFolder) {
     // header prefix -> folders (as path prefixes) that may include it
     const std::vector<std::pair<std::string, std::vector<std::string>>> owners{

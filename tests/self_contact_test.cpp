@@ -93,7 +93,7 @@ struct Field : test::CutField {
         double sum = 0;
         for (int i = 0; i < set.contact_count; ++i) {
             const Contact& c = set.contacts[static_cast<size_t>(i)];
-            if (c.tool != kTissueSide) continue;
+            if (c.side != kTissueSide) continue;
             double gap = c.offset_m;
             for (size_t k = 0; k < 4; ++k)
                 gap += c.b[k] * c.n.dot(position(state.body, c.vertex[k]));

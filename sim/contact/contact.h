@@ -32,9 +32,6 @@ void move_tools(const Scene& scene, State& state, std::span<const Pose> from,
 /// Closest points of the candidates; marks the contact colour in `contact_vertex`.
 void find_contacts(const Scene& scene, State& state) noexcept;
 
-/// Adds a contact between tissue and tissue to the colour. False when a list is full.
-bool add_tissue_contact(State& state, const Contact& contact) noexcept;
-
 /// One pass over the contact colour, there or back: the two together are symmetric, as sweeps that
 /// carry momentum must be to stay calm. h [s].
 void solve_contacts(const Scene& scene, State& state, double h, bool backward) noexcept;

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The law of a touched vertex: a spring along the normal while things overlap, dry friction with a
-// memory, and a step that stays within the elements. One law for instruments in operative scenes
-// (contact_solve.cpp) and for spheres in verification scenes (verify/constrained_vertices.cpp), so
-// that what is verified is what is felt. Any one system of units.
+// memory, and a step that stays within the elements. Used by contact_core.cpp. Any one system of
+// units.
 
 #include <cassert>
 

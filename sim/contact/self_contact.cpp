@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/contact/contact.h"
+#include "sim/contact/contact_core.h"
 #include "sim/core/tool_shape.h"
 #include "sim/mesh/box_distance.h"
 #include "sim/solver/topology.h"
@@ -173,7 +173,7 @@ bool touches(const Scene& scene, const State& state, const TissuePair& pair,
     out.vertex[0] = pair.vertex;
     out.b = {1, -w.x(), -w.y(), -w.z()};
     out.corners = 4;
-    out.tool = kTissueSide;
+    out.side = kTissueSide;
     out.stiffness_n_m = 1;
     out.offset_m = -kTissueGapM;
     out.tissue = scene.body.mesh().tissue[static_cast<size_t>(pair.tet)];
@@ -220,7 +220,8 @@ bool touch_tissue(const Scene& scene, State& state) noexcept {
             const TissuePair& pair = self.pairs[group][static_cast<size_t>(i)];
             if (!is_there(state, pair)) continue;
             Contact contact;
-            if (touches(scene, state, pair, contact) && !add_tissue_contact(state, contact))
+            if (touches(scene, state, pair, contact) &&
+                !add_to_colour(state.scratch->contacts, state.body, contact))
                 return false;
         }
     }

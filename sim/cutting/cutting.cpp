@@ -168,7 +168,7 @@ void tear(const Scene& scene, State& state) noexcept {
     const ContactSet& set = state.scratch->contacts;
     for (int i = 0; i < set.vertex_count && torn < kTearPerFrame; ++i) {
         const auto check = [&]() noexcept {
-            torn += group.check(scene, state, 1, set.vertices[i].tool);
+            torn += group.check(scene, state, 1, set.vertices[i].side);
         };
         for (const int32_t t : tets_around(scene.body, state.body, set.vertices[i].vertex)) {
             const auto& c = corners(scene.body, state.body, t);

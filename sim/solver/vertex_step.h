@@ -14,6 +14,18 @@ namespace placode::sim {
 /// Share of the shortest edge at a vertex that one solve of it may move it.
 inline constexpr double kLongestContactStep = 0.25;
 
+/// Some axes are held: the vertex does not step along them, and they take no part in the others.
+/// @param axes bit 0 = x, bit 1 = y, bit 2 = z.
+inline void hold_axes(VertexSystem& system, uint8_t axes) noexcept {
+    for (int a = 0; a < 3; ++a) {
+        if ((axes >> a & 1) == 0) continue;
+        system.gradient[a] = 0;
+        system.hessian.row(a).setZero();
+        system.hessian.col(a).setZero();
+        system.hessian(a, a) = 1;
+    }
+}
+
 /// Newton's step of one vertex and how long it may be.
 struct VertexStep {
     Vec3 step = Vec3::Zero();

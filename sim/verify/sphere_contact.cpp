@@ -4,14 +4,13 @@
 
 #include <algorithm>
 
+#include "sim/contact/contact_core.h"
 #include "sim/core/as_index.h"
 #include "sim/core/tool_shape.h"
 #include "sim/mesh/surface.h"
 
 namespace placode::sim {
 namespace {
-
-constexpr double kFacing = 0.5;  // as in sim/contact/contact.cpp
 
 SphereContacts::PositionOf position_in(const Coordinates& x) {
     return [&x](int32_t v) { return Vec3(x.segment<3>(3 * v)); };
@@ -67,6 +66,12 @@ SphereContacts::SphereContacts(const TetMesh& mesh, std::vector<SphereObstacle> 
 
 void SphereContacts::find(const PositionOf& x, double time_s, double margin_m,
                           std::vector<SphereTouch>& out) const {
+    near(x, time_s, margin_m, out);
+    std::erase_if(out, [](const SphereTouch& t) { return t.looks_away; });
+}
+
+void SphereContacts::near(const PositionOf& x, double time_s, double margin_m,
+                          std::vector<SphereTouch>& out) const {
     out.clear();
     for (size_t s = 0; s < spheres_.size(); ++s) {
         const Vec3 centre = spheres_[s].centre_at(time_s);
@@ -84,8 +89,9 @@ void SphereContacts::find(const PositionOf& x, double time_s, double margin_m,
             if (!(distance < reach) || !(distance > 0)) continue;
             const Vec3 n = way / distance;
             const Vec3 face = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-            if (i < faces_ && n.dot(face) > kFacing) continue;
-            out.push_back({triangle, b, n, distance - spheres_[s].radius_m, static_cast<int>(s)});
+            const bool sheet = i >= faces_;
+            out.push_back({triangle, b, n, distance - spheres_[s].radius_m, static_cast<int>(s),
+                           sheet, !sheet && n.dot(face) > kContactFacing});
         }
     }
 }

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Rigid spheres against the surface of a body, for verification scenes: the nearest point of every
-// boundary triangle is pushed out with f = k max(0, -gap). The same law as the instruments' contact
-// (sim/contact/contact.h), without hands, tools and lists of bounded size.
+// Rigid spheres near the surface of a body, for verification scenes: every boundary triangle is
+// looked at. What touches is left to the instruments' contact for the kernels
+// (pressed_vertices.h); the references in double precision push the nearest point of each triangle
+// out with f = k max(0, -gap).
 
 #include <array>
 #include <functional>
@@ -29,6 +30,8 @@ struct SphereTouch {
     Vec3 n = Vec3::UnitZ();  ///< From the sphere's centre to that point.
     double gap_m = 0;        ///< Negative when they overlap.
     int sphere = 0;
+    bool both_sides = false;  ///< Of a sheet.
+    bool looks_away = false;  ///< A face that turns its back on the sphere.
 };
 
 class SphereContacts {
@@ -38,8 +41,10 @@ class SphereContacts {
                    const std::vector<std::array<int32_t, 3>>& sheet = {});
 
     using PositionOf = std::function<Vec3(int32_t vertex)>;
-    /// Triangles nearer than `margin_m` at time `time_s`. Triangles that turn their back on the
-    /// sphere are not touched: their other side is.
+    /// Triangles nearer than `margin_m` at time `time_s`, whichever way they face.
+    void near(const PositionOf& x, double time_s, double margin_m,
+              std::vector<SphereTouch>& out) const;
+    /// The same without those that turn their back on the sphere: their other side is touched.
     void find(const PositionOf& x, double time_s, double margin_m,
               std::vector<SphereTouch>& out) const;
 
