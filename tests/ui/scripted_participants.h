@@ -37,7 +37,7 @@ struct ScriptedParticipants {
     std::unique_ptr<ShellHarness> shell;
     Rows answers;             ///< One row a participant, of the shipped simulated answers.
     size_t count = 14;        ///< As in the paper.
-    double seconds = 9;       ///< Of a procedure [s]: something is done, or it would not count.
+    double seconds = 0;       ///< Of a procedure [s]; 0 = until its operator has done something.
     double real_seconds = 9;  ///< Of the last procedure of each level's first participant.
     std::vector<std::string> codes;  ///< Of those who consented, in order.
 
@@ -58,7 +58,12 @@ struct ScriptedParticipants {
     }
     /// Of the row's three procedures, numbered from 1: how long it lasts [s].
     [[nodiscard]] double length_s(size_t row, int procedure) const {
-        return row <= 3 && procedure == 3 ? std::max(seconds, real_seconds) : seconds;
+        // By then each of them has cut or burned: an attempt in which nothing was done counts in no
+        // analysis. The expert is at the tissue first, and every second of its work is computed
+        // twice.
+        constexpr double kDoneS[] = {7, 8.5, 5};
+        const double least_s = seconds > 0 ? seconds : kDoneS[row % 3];
+        return row <= 3 && procedure == 3 ? std::max(least_s, real_seconds) : least_s;
     }
     /// The script's levels go round: 1 intermediate, 2 expert, 3 novice, ...
     [[nodiscard]] static QString device(size_t row) {
