@@ -109,8 +109,7 @@ void ShellDevicesTest::shots(const QString& name) {
         QVERIFY(saysIn("arm_status_0", "ready"));
         QVERIFY(settles());
         auto* inside = shell_->window().page()->findChild<QScrollArea*>()->widget();
-        inside->grab().save(
-            shell_->shotFile(name + (theme == ThemeKind::kDark ? "_dark" : "_light")));
+        shell_->keep(inside->grab(), name + (theme == ThemeKind::kDark ? "_dark" : "_light"));
     }
 }
 
@@ -172,8 +171,8 @@ void ShellDevicesTest::forceTestBeginsWithHalfANewtonAndIsSaved() {
     QVERIFY(lower(-0.025));
     QVERIFY(waits([&] { return std::abs(service_.force(0)[2] - 0.5) < 0.005; }));
     // As it is now: in the other theme the page would begin its test anew.
-    shell_->window().page()->findChild<QScrollArea*>()->widget()->grab().save(
-        shell_->shotFile("92_devices_floor"));
+    shell_->keep(shell_->window().page()->findChild<QScrollArea*>()->widget()->grab(),
+                 "92_devices_floor");
     QVERIFY(shell_->click("force_good"));
     QVERIFY(shell_->bannerSays("0.5 N passed and saved; now 1.0 N"));
     QCOMPARE(station().number("tested.force_n"), 0.5);
@@ -282,8 +281,8 @@ void ShellDevicesTest::pageIsInPolishAndFits() {
     QVERIFY(saysIn("arm_status_0", "gotowe"));
     QVERIFY(shell_->text("force_text").contains("0,5 N"));
     QVERIFY(settles());
-    shell_->window().page()->findChild<QScrollArea*>()->widget()->grab().save(
-        shell_->shotFile("94_devices_polish"));
+    shell_->keep(shell_->window().page()->findChild<QScrollArea*>()->widget()->grab(),
+                 "94_devices_polish");
     shell_->context().setLanguage("en");
     QVERIFY(shell_->arrives(PageId::kDevices));
 }

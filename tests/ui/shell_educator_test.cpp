@@ -273,7 +273,7 @@ void ShellEducatorTest::metricsWithoutEvidenceAreFlagged() {
     // The time was the same for everybody: it tells nobody apart.
     QVERIFY2(evidence.filter("Time: ▲ no").size() == 1, qPrintable(evidence.join("; ")));
     QVERIFY(shell.text("quality_said").contains("Metrics: 2"));
-    shell.window().grab().save(shell.shotFile("82_quality_light"));
+    shell.keep(shell.window().grab(), "82_quality_light");
 }
 
 void ShellEducatorTest::judgesEstimateAPassMark() {
@@ -298,7 +298,7 @@ void ShellEducatorTest::judgesEstimateAPassMark() {
     QVERIFY(!shell.find<QPushButton>("set_angoff")->isEnabled());
     table->item(0, 2)->setText("80");
     shell.scrollTo("set_angoff");
-    shell.window().grab().save(shell.shotFile("82_angoff_light"));
+    shell.keep(shell.window().grab(), "82_angoff_light");
     QVERIFY(shell.type("angoff_reason", "Judges met in November"));
     QVERIFY(shell.click("set_angoff"));
     QVERIFY(shell.bannerSays("The standard is set (version 2)"));
@@ -404,7 +404,7 @@ void ShellEducatorTest::searchOpensByKeyboardAlone() {
     // The person and the attempts.
     QVERIFY(QTest::qWaitFor([&] { return list->count() > 1; }, 10000));
     QVERIFY(list->item(0)->text().contains("Anna Stuck"));
-    dialog()->grab().save(shell.shotFile("86_search_light"));
+    shell.keep(dialog()->grab(), "86_search_light");
     QTest::keyClick(dialog()->findChild<QLineEdit*>("search_text"), Qt::Key_Return);
     QVERIFY(shell.arrives(PageId::kAttempts));
     QCOMPARE(shell.find<QComboBox>("filter_person")->currentText(), kNames[0]);

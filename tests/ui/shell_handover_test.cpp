@@ -81,9 +81,9 @@ void ShellHandoverTest::refuseToTakeBack(const QString& typed) {
                          dialog->findChild<QLineEdit*>("take_back_password")->geometry()) &&
                          said->height() >= said->heightForWidth(said->width()),
                      "it lies over the field");
-            dialog->grab().save(shell_->shotFile("65_take_back_wrong"));
+            shell_->keep(dialog->grab(), "65_take_back_wrong");
         } else if (asked_ == 1) {
-            dialog->grab().save(shell_->shotFile("65_take_back"));
+            shell_->keep(dialog->grab(), "65_take_back");
         }
         QTest::keyClick(dialog, Qt::Key_Escape);
     });
@@ -254,7 +254,7 @@ void ShellHandoverTest::missingAnswersAreSaidInWordsAndTheFirstHasTheFocus() {
     QVERIFY(shell.window().focusWidget() != nullptr);
     QVERIFY(shell.find<QFrame>("card_sus03")->isAncestorOf(shell.window().focusWidget()));
     QVERIFY(QTest::qWaitFor([&] { return shell.fits(); }, 2000));
-    shell.window().grab().save(shell.shotFile("66_missing_answers"));
+    shell.keep(shell.window().grab(), "66_missing_answers");
     shell.find<QRadioButton>("answer_sus03_3")->click();
     QVERIFY(!shell.find<QLabel>("missing_sus03")->isVisibleTo(page));
     QVERIFY(shell.find<QFrame>("card_sus03")->property("tone").toString().isEmpty());

@@ -179,39 +179,30 @@ class ShellHarness {
 
     /// What is on the screen, in both themes.
     void shot(const QString& name) {
-        const QString folder =
-            qEnvironmentVariable("PLACODE_SCREENSHOTS", PLACODE_BIN_DIR "/../screenshots");
-        QDir().mkpath(folder);
         for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
-            context_->setTheme(theme);
-            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-            (void)QTest::qWaitFor(
-                [] { return QThreadPool::globalInstance()->activeThreadCount() == 0; }, 20000);
-            QTest::qWait(60);  // Lets layouts settle and pictures load; nothing depends on it.
-            window_->grab().save(
-                QString("%1/%2_%3.png")
-                    .arg(folder, name, theme == ThemeKind::kDark ? "dark" : "light"));
+            settleIn(theme);
+            keep(window_->grab(), name + (theme == ThemeKind::kDark ? "_dark" : "_light"));
         }
     }
 
-    [[nodiscard]] QString shotFile(const QString& name) const {
-        const QString folder =
-            qEnvironmentVariable("PLACODE_SCREENSHOTS", PLACODE_BIN_DIR "/../screenshots");
+    /// Writes a picture where somebody wants to look at them: into $PLACODE_SCREENSHOTS.
+    static void keep(const QPixmap& picture, const QString& name) {
+        if (!keepsPictures()) return;
+        const QString folder = qEnvironmentVariable("PLACODE_SCREENSHOTS");
         QDir().mkpath(folder);
-        return QString("%1/%2.png").arg(folder, name);
+        picture.save(QString("%1/%2.png").arg(folder, name));
+    }
+    [[nodiscard]] static bool keepsPictures() {
+        return !qEnvironmentVariableIsEmpty("PLACODE_SCREENSHOTS");
     }
 
     /// The whole page, also what has to be scrolled to, in both themes.
     void whole(const QString& name) {
         for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
-            context_->setTheme(theme);
-            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-            (void)QTest::qWaitFor(
-                [] { return QThreadPool::globalInstance()->activeThreadCount() == 0; }, 20000);
-            QTest::qWait(120);  // Lets layouts settle and pictures load; nothing depends on it.
+            settleIn(theme);
             auto* area = window_->page()->findChild<QScrollArea*>();
             QWidget* inside = area != nullptr ? area->widget() : window_->page();
-            inside->grab().save(shotFile(name + (theme == ThemeKind::kDark ? "_dark" : "_light")));
+            keep(inside->grab(), name + (theme == ThemeKind::kDark ? "_dark" : "_light"));
         }
     }
 
@@ -293,6 +284,17 @@ class ShellHarness {
     QString open_this;           ///< Answer to the next dialog for a file to read.
 
  private:
+    /// The page made anew in a theme, with everything that it loads.
+    void settleIn(ThemeKind theme) {
+        context_->setTheme(theme);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        (void)QTest::qWaitFor(
+            [] { return QThreadPool::globalInstance()->activeThreadCount() == 0; }, 20000);
+        QCoreApplication::processEvents();
+        // Lets layouts come to rest for a picture that somebody looks at; nothing depends on it.
+        if (keepsPictures()) QTest::qWait(120);
+    }
+
     void pressInDialog(const QString& name) {
         QWidget* dialog = QApplication::activeModalWidget();
         auto* button = dialog != nullptr ? dialog->findChild<QPushButton*>(name) : nullptr;

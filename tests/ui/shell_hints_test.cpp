@@ -271,7 +271,7 @@ void ShellHintsTest::afterTheEndThePageSaysThatItScores() {
     QVERIFY(!shell_->find<QPushButton>("stop_and_score")->isEnabled());
     QVERIFY(
         QTest::qWaitFor([&] { return shell_->text("scoring_words").contains("so far"); }, 6000));
-    shell_->window().grab().save(shell_->shotFile("38_scoring"));
+    shell_->keep(shell_->window().grab(), "38_scoring");
 }
 
 void ShellHintsTest::switchingTheUserIsNamedAndAsksWhileAnAttemptRuns() {

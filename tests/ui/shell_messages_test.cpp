@@ -93,7 +93,7 @@ void ShellMessagesTest::messagesMoveNothing() {
     QCOMPARE(notices()->count(), 2);
     QVERIFY(notices()->findChild<QWidget*>("busy")->isVisible());
     for (qsizetype i = 0; i < parts.size(); ++i) QCOMPARE(place(parts[i]), before[i]);
-    window.grab().save(shell_->shotFile("63_messages_float"));
+    shell_->keep(window.grab(), "63_messages_float");
     Q_EMIT shell_->context().busyChanged({});
     QVERIFY(!notices()->findChild<QWidget*>("busy")->isVisible());
 }
@@ -135,7 +135,7 @@ void ShellMessagesTest::workInProgressHidesNothingAndSaysHowLong() {
     for (const auto* button : shell_->window().findChildren<QAbstractButton*>())
         if (button->isVisible() && !notices()->isAncestorOf(button))
             QVERIFY2(!there.intersects(place(button)), qPrintable(button->objectName()));
-    shell_->window().grab().save(shell_->shotFile("64_busy_in_the_bar"));
+    shell_->keep(shell_->window().grab(), "64_busy_in_the_bar");
     // What needs the computer for itself waits for it; what has gone meanwhile is not done.
     bool begun = false, begun_by_nobody = false;
     context.whenIdle(&shell_->window(), [&] { begun = true; });
@@ -163,7 +163,7 @@ void ShellMessagesTest::aQuestionHasAFrameAndDimsThePage() {
         auto* dim = shell_->window().findChild<QWidget*>("dimmed");
         dimmed = dim != nullptr && dim->isVisible() && dim->size() == shell_->window().size();
         QScreen* screen = shell_->window().screen();
-        screen->grabWindow(0).save(shell_->shotFile("65_question"));
+        shell_->keep(screen->grabWindow(0), "65_question");
         shell_->refuseNext();
     });
     QVERIFY(!confirm(&shell_->window(), "Remove it?", "It goes for good.", "Remove"));
@@ -261,8 +261,9 @@ void ShellMessagesTest::theyKeepClearOfThePrimaryButton() {
         }
         // One place for all of them: at the right edge, as high as the page asks for.
         QCOMPARE(notices()->geometry().right(), window.width() - 1 - 16);
-        window.grab().save(shell_->shotFile(
-            QString("64_message_beside_%1_%2").arg(static_cast<int>(page)).arg(size.width())));
+        shell_->keep(
+            window.grab(),
+            QString("64_message_beside_%1_%2").arg(static_cast<int>(page)).arg(size.width()));
     }
     window.resize(1366, 768);
     window.open({PageId::kPeople, 0, {}, {}});
@@ -281,7 +282,7 @@ void ShellMessagesTest::theExactTextIsFoldedAwayAndCanBeCopied() {
     QVERIFY(shell_->window().rect().contains(notices()->geometry()));
     QTest::mouseClick(notices()->findChild<QPushButton*>("details_copy"), Qt::LeftButton);
     QCOMPARE(QGuiApplication::clipboard()->text(), QString("sqlite:/tmp/x.db: exact words"));
-    shell_->window().grab().save(shell_->shotFile("65_message_details"));
+    shell_->keep(shell_->window().grab(), "65_message_details");
     QTest::mouseClick(notices()->findChild<QPushButton*>("details_toggle"), Qt::LeftButton);
     QVERIFY(!text->isVisible());
     QCOMPARE(notices()->size(), closed);
@@ -304,7 +305,7 @@ void ShellMessagesTest::aLongExactTextScrollsAndCanBeMarked() {
     text->selectAll();
     text->copy();
     QCOMPARE(QGuiApplication::clipboard()->text(), lines.join('\n'));
-    shell_->window().grab().save(shell_->shotFile("65_message_long_details"));
+    shell_->keep(shell_->window().grab(), "65_message_long_details");
 }
 
 void ShellMessagesTest::whatWasWrittenCanBeOpened() {
@@ -318,7 +319,7 @@ void ShellMessagesTest::whatWasWrittenCanBeOpened() {
     const QString pdf = shell_->path("a.pdf"), folder = QFileInfo(pdf).absolutePath();
     Q_EMIT shell_->window().page()->written("Report written: " + pdf, pdf);
     QVERIFY(shell_->bannerSays(pdf));
-    shell_->window().grab().save(shell_->shotFile("67_message_written"));
+    shell_->keep(shell_->window().grab(), "67_message_written");
     QVERIFY(press("banner_folder"));
     QCOMPARE(shell_->shown, folder);
     QVERIFY(press("banner_offer"));
@@ -364,7 +365,7 @@ void ShellMessagesTest::languageAndThemeKeepThem() {
     shell_->context().setTheme(ThemeKind::kDark);
     QCOMPARE(notices()->count(), 1);
     QVERIFY(notices()->isVisible());
-    shell_->window().grab().save(shell_->shotFile("66_message_dark"));
+    shell_->keep(shell_->window().grab(), "66_message_dark");
     shell_->context().setTheme(ThemeKind::kLight);
     // Who signs in next does not read what was told to the one before.
     shell_->context().signOut();

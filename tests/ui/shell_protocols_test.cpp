@@ -230,7 +230,7 @@ void ShellProtocolsTest::aParticipantAnswersEveryKind() {
     QVERIFY(shell.text("missing_D").endsWith(": a date such as 2026-11-21"));
     QVERIFY(shell.find<QFrame>("card_N")->isAncestorOf(shell.window().focusWidget()));
     QVERIFY(shell.find<QLabel>("missing_D")->isVisibleTo(page));
-    shell.window().grab().save(shell.shotFile("74_wrong_answers"));
+    shell.keep(shell.window().grab(), "74_wrong_answers");
     QVERIFY(shell.type("answer_N", "2,5"));
     QVERIFY(!shell.find<QLabel>("missing_N")->isVisibleTo(page));
     QVERIFY(press("review"));
@@ -239,7 +239,7 @@ void ShellProtocolsTest::aParticipantAnswersEveryKind() {
     QVERIFY(shell.type("answer_D", "2026-02-28"));
     QVERIFY(press("review"));
     // Without a change of theme, which would lead back to the questions.
-    shell.window().grab().save(shell.shotFile("74_every_kind_review"));
+    shell.keep(shell.window().grab(), "74_every_kind_review");
     QVERIFY(press("submit_answers"));
     shell.takeBackNext();
     QVERIFY(press("participant_done"));

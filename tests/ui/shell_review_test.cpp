@@ -146,7 +146,7 @@ void ShellReviewTest::resultPageSaysWhatWhenAndWhere() {
     QVERIFY(shell.find<QLabel>("reason_3")->isVisibleTo(shell.window().page()));
     QCOMPARE(scroll->verticalScrollBar()->value(), place);
     QVERIFY(!shell.focusIsIn("comment_text"));
-    shell.window().grab().save(shell.shotFile("40_result_reasons"));
+    shell.keep(shell.window().grab(), "40_result_reasons");
     shell.scrollTo("ledger");
     shell.shot("41_result_ledger");
     QVERIFY(picturesAreThere());
@@ -255,7 +255,7 @@ void ShellReviewTest::replayObeysCameraSpeedPauseAndJump() {
     // Back to the beginning: simulated again from there.
     ledger()->chosen(1.0, -1);
     QVERIFY(QTest::qWaitFor([&] { return clock() < held && clock() >= 1; }, kPatienceMs));
-    shell.window().grab().save(shell.shotFile("46_watch_paused"));
+    shell.keep(shell.window().grab(), "46_watch_paused");
     QVERIFY(shell.fits());
     QVERIFY(shell.click("replay_close"));
     QVERIFY(QTest::qWaitFor(
@@ -292,7 +292,7 @@ void ShellReviewTest::educatorRemarksAndTheTraineeReadsIt() {
     QCOMPARE(comments.size(), size_t{1});
     QVERIFY2(std::abs(comments[0].time_s - clock()) < 1.1, "remarked at the moment shown");
     QCOMPARE(ledger()->picture().marks.size(), size_t{1});
-    shell.window().grab().save(shell.shotFile("47_watch_remark"));
+    shell.keep(shell.window().grab(), "47_watch_remark");
     QVERIFY(shell.signIn("demo.trainee", "placode-demo"));
     shell.window().open({PageId::kResult, id, {}, {}});
     QVERIFY(shell.arrives(PageId::kResult));

@@ -227,7 +227,7 @@ void ShellScenarioTest::theKeyHoldsTheNames() {
         20000));
     QTest::qWait(100);  // Lets the new table appear; nothing depends on it.
     shell.scrollTo("name_save");
-    shell.window().grab().save(shell.shotFile("84_scenario_names"));
+    shell.keep(shell.window().grab(), "84_scenario_names");
     for (const QString& file : {path, shell.path("demo.db"), shell.path("demo.db-wal")}) {
         QFile bytes(file);
         if (!bytes.open(QIODevice::ReadOnly)) continue;
@@ -242,7 +242,7 @@ void ShellScenarioTest::theKeyHoldsTheNames() {
     QVERIFY(!shell.find<QLabel>("signature_picture")->pixmap().isNull());
     QTest::qWait(100);  // Lets the picture appear; nothing depends on it.
     shell.scrollTo("signature_picture");
-    shell.window().grab().save(shell.shotFile("84_scenario_signature"));
+    shell.keep(shell.window().grab(), "84_scenario_signature");
     QVERIFY(press("name_hide"));
 }
 

@@ -67,8 +67,7 @@ void ShellStoreTest::aStoreThatWasMovedIsFoundAgain() {
         QTest::qWait(100);
         const QStringList cut = misfits(shell_->window());
         QVERIFY2(cut.isEmpty(), qPrintable(cut.join("\n")));
-        shell_->window().grab().save(
-            shell_->shotFile(QString("04_store_is_gone_%1").arg(size.width())));
+        shell_->keep(shell_->window().grab(), QString("04_store_is_gone_%1").arg(size.width()));
     }
     QVERIFY(shell_->click("try_again"));
     QVERIFY(QTest::qWaitFor([&] { return asksForTheStore(); }, 5000));
@@ -136,7 +135,7 @@ void ShellStoreTest::theRolesOfAPersonAreChanged() {
     QVERIFY2(!shell_->find<QPushButton>("change_roles")->isEnabled(), "nothing was changed yet");
     box(db::Role::kEducator)->click();
     QTest::qWait(100);  // Lets the row appear; nothing depends on it.
-    shell_->window().grab().save(shell_->shotFile("11_people_roles"));
+    shell_->keep(shell_->window().grab(), "11_people_roles");
     for (const QSize size : {QSize(1024, 768), QSize(1366, 768)}) {
         shell_->window().resize(size);
         QTest::qWait(80);

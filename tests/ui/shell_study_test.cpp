@@ -100,7 +100,7 @@ void ShellStudyTest::studyIsPublishedOnce() {
     QTimer::singleShot(100, &shell.window(), [&] {
         if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
             asked = box->text();
-            box->grab().save(shell.shotFile("60_draft_question"));
+            shell.keep(box->grab(), "60_draft_question");
             QTest::mouseClick(box->findChild<QPushButton*>("confirm_no"), Qt::LeftButton);
         }
     });
@@ -153,7 +153,7 @@ void ShellStudyTest::consentNeedsEveryStatement() {
     QVERIFY2(!given->isEnabled(), "the signature is missing");
     QVERIFY(!shell.text("consent_missing").contains("statements"));
     QVERIFY(shell.text("consent_missing").contains("the signature"));
-    shell.window().grab().save(shell.shotFile("62_consent_missing"));
+    shell.keep(shell.window().grab(), "62_consent_missing");
     auto* paper = shell.find<QCheckBox>("signed_on_paper");
     paper->setFocus();
     QTest::qWait(100);  // the page scrolls to it
@@ -279,7 +279,7 @@ void ShellStudyTest::perform(double time_s) {
         QVERIFY2(!shell.find<QLabel>(hidden)->isVisibleTo(page), hidden);
     if (!running_shown_) {
         running_shown_ = true;
-        shell.window().grab().save(shell.shotFile("64_study_running"));
+        shell.keep(shell.window().grab(), "64_study_running");
     }
     // One press does not end it.
     shell.refuseNext();
