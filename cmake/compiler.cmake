@@ -217,8 +217,12 @@ function(placode_ui_programs)
   # The .ts must exist at configure time: otherwise Qt 6.4 makes an empty one and everything stays
   # English. It is committed; `ninja placode_shell_lupdate` brings it up to date.
   # Without line numbers, or every change of a page would touch thousands of its lines.
+  # What the store says stands in its sources: `Said::that("...")`. Of the other folders' words there are lists
+  # (translatable_strings.cpp).
+  file(GLOB texts CONFIGURE_DEPENDS ui/shell/*.cpp ui/shell/*.h db/*.cpp db/*.h)
   qt_add_translations(placode_shell TS_FILES ui/shell/translations/placode_pl.ts RESOURCE_PREFIX /i18n
-    LUPDATE_OPTIONS -locations none -no-obsolete)
+    SOURCES ${texts} INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR}
+    LUPDATE_OPTIONS -locations none -no-obsolete -tr-function-alias tr+=that)
   # English is the source language: its file holds singular and plural of counted nouns (%n) only.
   # Apart from the other: lupdate would fill it with every string.
   set(english_ts ${PROJECT_SOURCE_DIR}/ui/shell/translations/placode_en.ts)

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string_view>
 
+#include "db/said.h"
 #include "db/store.h"
 
 namespace placode::db {
@@ -30,52 +32,79 @@ struct Rule {
 // whole centre, and acts (assigns, judges, certifies) on the own groups and on people without a
 // group.
 constexpr std::array<Rule, 24> kRules{{
-    {Action::kPerformAttempt, kEverybody, kNobody, kNobody, "perform an attempt",
-     "everybody, in their own name"},
-    {Action::kViewAttempts, kEverybody, kEducator, kEducator, "see other people's attempts",
-     "an educator"},
+    {Action::kPerformAttempt, kEverybody, kNobody, kNobody,
+     QT_TRANSLATE_NOOP("Said", "perform an attempt"),
+     QT_TRANSLATE_NOOP("Said", "everybody, in their own name")},
+    {Action::kViewAttempts, kEverybody, kEducator, kEducator,
+     QT_TRANSLATE_NOOP("Said", "see other people's attempts"),
+     QT_TRANSLATE_NOOP("Said", "an educator")},
     {Action::kViewPersonalData, kEverybody, kEducator | kAdministrator, kEducator | kAdministrator,
-     "see other people's personal data", "an educator or an administrator"},
-    {Action::kManageUsers, kAdministrator, kAdministrator, kAdministrator, "manage accounts",
-     "an administrator"},
+     QT_TRANSLATE_NOOP("Said", "see other people's personal data"),
+     QT_TRANSLATE_NOOP("Said", "an educator or an administrator")},
+    {Action::kManageUsers, kAdministrator, kAdministrator, kAdministrator,
+     QT_TRANSLATE_NOOP("Said", "manage accounts"), QT_TRANSLATE_NOOP("Said", "an administrator")},
     {Action::kRunQuestionnaire, kCoordinator, kCoordinator, kCoordinator,
-     "have a questionnaire answered", "a coordinator"},
-    {Action::kExportStudy, kCoordinator, kCoordinator, kCoordinator, "export the data of a study",
-     "a coordinator"},
+     QT_TRANSLATE_NOOP("Said", "have a questionnaire answered"),
+     QT_TRANSLATE_NOOP("Said", "a coordinator")},
+    {Action::kExportStudy, kCoordinator, kCoordinator, kCoordinator,
+     QT_TRANSLATE_NOOP("Said", "export the data of a study"),
+     QT_TRANSLATE_NOOP("Said", "a coordinator")},
     {Action::kBackup, kAdministrator, kAdministrator, kAdministrator,
-     "back up, restore or check the store", "an administrator"},
-    {Action::kViewAudit, kAdministrator, kAdministrator, kAdministrator, "see the audit trail",
-     "an administrator"},
-    {Action::kManageCourses, kEducator, kEducator, kEducator, "publish courses", "an educator"},
+     QT_TRANSLATE_NOOP("Said", "back up, restore or check the store"),
+     QT_TRANSLATE_NOOP("Said", "an administrator")},
+    {Action::kViewAudit, kAdministrator, kAdministrator, kAdministrator,
+     QT_TRANSLATE_NOOP("Said", "see the audit trail"),
+     QT_TRANSLATE_NOOP("Said", "an administrator")},
+    {Action::kManageCourses, kEducator, kEducator, kEducator,
+     QT_TRANSLATE_NOOP("Said", "publish courses"), QT_TRANSLATE_NOOP("Said", "an educator")},
     {Action::kAssignCourses, kEducator, kEducator, kNobody,
-     "assign courses to this person or group", "an educator of the group"},
+     QT_TRANSLATE_NOOP("Said", "assign courses to this person or group"),
+     QT_TRANSLATE_NOOP("Said", "an educator of the group")},
     {Action::kManageGroups, kEducator | kAdministrator, kEducator | kAdministrator, kAdministrator,
-     "change groups", "an educator of the group or an administrator"},
-    {Action::kIssueCertificate, kEverybody, kEducator, kNobody, "issue this person's certificate",
-     "the person, or an educator of the group,"},
-    {Action::kReviewAttempts, kNobody, kEducator, kNobody, "review this person's attempts",
-     "an educator of the group, not the person,"},
-    {Action::kSetStandards, kEducator, kEducator, kEducator, "set standards or rescore",
-     "an educator"},
-    {Action::kExportPersonalData, kEverybody, kNobody, kNobody, "export another person's data",
-     "the person"},
-    {Action::kRequestErasure, kEverybody, kNobody, kNobody, "ask for another person's erasure",
-     "the person"},
-    {Action::kErase, kNobody, kAdministrator, kAdministrator, "erase a person",
-     "an administrator, not the person,"},
-    {Action::kUseStore, kEverybody, kEverybody, kEverybody, "use the store without signing in",
-     "everybody who has signed in"},
+     QT_TRANSLATE_NOOP("Said", "change groups"),
+     QT_TRANSLATE_NOOP("Said", "an educator of the group or an administrator")},
+    {Action::kIssueCertificate, kEverybody, kEducator, kNobody,
+     QT_TRANSLATE_NOOP("Said", "issue this person's certificate"),
+     QT_TRANSLATE_NOOP("Said", "the person, or an educator of the group,")},
+    {Action::kReviewAttempts, kNobody, kEducator, kNobody,
+     QT_TRANSLATE_NOOP("Said", "review this person's attempts"),
+     QT_TRANSLATE_NOOP("Said", "an educator of the group, not the person,")},
+    {Action::kSetStandards, kEducator, kEducator, kEducator,
+     QT_TRANSLATE_NOOP("Said", "set standards or rescore"),
+     QT_TRANSLATE_NOOP("Said", "an educator")},
+    {Action::kExportPersonalData, kEverybody, kNobody, kNobody,
+     QT_TRANSLATE_NOOP("Said", "export another person's data"),
+     QT_TRANSLATE_NOOP("Said", "the person")},
+    {Action::kRequestErasure, kEverybody, kNobody, kNobody,
+     QT_TRANSLATE_NOOP("Said", "ask for another person's erasure"),
+     QT_TRANSLATE_NOOP("Said", "the person")},
+    {Action::kErase, kNobody, kAdministrator, kAdministrator,
+     QT_TRANSLATE_NOOP("Said", "erase a person"),
+     QT_TRANSLATE_NOOP("Said", "an administrator, not the person,")},
+    {Action::kUseStore, kEverybody, kEverybody, kEverybody,
+     QT_TRANSLATE_NOOP("Said", "use the store without signing in"),
+     QT_TRANSLATE_NOOP("Said", "everybody who has signed in")},
     {Action::kSetPassword, kEverybody, kAdministrator, kAdministrator,
-     "set another person's password", "the person or an administrator"},
-    {Action::kSetPin, kEverybody, kNobody, kNobody, "choose another person's PIN", "the person"},
+     QT_TRANSLATE_NOOP("Said", "set another person's password"),
+     QT_TRANSLATE_NOOP("Said", "the person or an administrator")},
+    {Action::kSetPin, kEverybody, kNobody, kNobody,
+     QT_TRANSLATE_NOOP("Said", "choose another person's PIN"),
+     QT_TRANSLATE_NOOP("Said", "the person")},
     {Action::kSaveAttempt, kEverybody, kAdministrator, kAdministrator,
-     "save another person's attempt", "the person or an administrator"},
-    {Action::kRemark, kEverybody, kEducator, kNobody, "remark on this person's attempts",
-     "the person, or an educator of the group,"},
-    {Action::kReplay, kNobody, kNobody, kNobody, "say what simulating an attempt again gave",
-     "only the program itself"},
-    {Action::kActAs, kEverybody, kNobody, kNobody, "act in another person's name", "the person"},
+     QT_TRANSLATE_NOOP("Said", "save another person's attempt"),
+     QT_TRANSLATE_NOOP("Said", "the person or an administrator")},
+    {Action::kRemark, kEverybody, kEducator, kNobody,
+     QT_TRANSLATE_NOOP("Said", "remark on this person's attempts"),
+     QT_TRANSLATE_NOOP("Said", "the person, or an educator of the group,")},
+    {Action::kReplay, kNobody, kNobody, kNobody,
+     QT_TRANSLATE_NOOP("Said", "say what simulating an attempt again gave"),
+     QT_TRANSLATE_NOOP("Said", "only the program itself")},
+    {Action::kActAs, kEverybody, kNobody, kNobody,
+     QT_TRANSLATE_NOOP("Said", "act in another person's name"),
+     QT_TRANSLATE_NOOP("Said", "the person")},
 }};
+
+constexpr const char* kMayNot = QT_TRANSLATE_NOOP("Said", "you may not %1; %2 can");
 
 const Rule* rule_of(Action action) noexcept {
     for (const Rule& rule : kRules)
@@ -123,10 +152,14 @@ std::vector<int64_t> reached_people(Store& store, int64_t actor) {
     return reached;
 }
 
-std::string refusal(Action action) {
+Said refusal(Action action) {
     const Rule* rule = rule_of(action);
-    if (rule == nullptr) return "nobody may do this";
-    return std::string("you may not ") + rule->what + "; " + rule->who + " can";
+    if (rule == nullptr) return Said::as_is(std::string("nobody may do this"));
+    return Said::listed(kMayNot).with(Said::listed(rule->what)).with(Said::listed(rule->who));
+}
+
+bool is_about_rights(const Said& said) {
+    return said.sentence() != nullptr && std::string_view(said.sentence()) == kMayNot;
 }
 
 }  // namespace placode::db

@@ -7,6 +7,7 @@
 
 namespace placode::db {
 
+class Said;
 class Store;
 
 enum class Action : uint8_t {
@@ -54,6 +55,8 @@ enum class Scope : uint8_t { kOwn, kOther, kGroup };
 [[nodiscard]] std::vector<int64_t> reached_people(Store& store, int64_t actor);
 
 /// Reason in plain words for a refusal, naming the role that could.
-[[nodiscard]] std::string refusal(Action action);
+[[nodiscard]] Said refusal(Action action);
+/// Whether it is one of these: it names roles, and nothing of the store.
+[[nodiscard]] bool is_about_rights(const Said& said);
 
 }  // namespace placode::db

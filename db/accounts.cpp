@@ -18,9 +18,11 @@ using Kind = StoreError::Kind;
 Accounts::Accounts(StoreContext& context) : context_(context), connection_(context.connection) {}
 
 std::string Accounts::check_new_user(const NewUser& user) {
-    if (login_key(user.login).empty()) connection_.fail(Kind::kRefused, "the login is empty");
-    if (user.display_name.empty()) connection_.fail(Kind::kRefused, "the name is empty");
-    if (user.roles == 0) connection_.fail(Kind::kRefused, "the user has no role");
+    if (login_key(user.login).empty())
+        connection_.fail(Kind::kRefused, Said::that("the login is empty"));
+    if (user.display_name.empty())
+        connection_.fail(Kind::kRefused, Said::that("the name is empty"));
+    if (user.roles == 0) connection_.fail(Kind::kRefused, Said::that("the user has no role"));
     if (const auto problem = password_problem(user.login, user.password))
         connection_.fail(Kind::kRefused, *problem);
     return hash_password(user.password, context_.options.cheap_passwords);
@@ -45,7 +47,7 @@ void Accounts::need_free_login(const std::string& key, int64_t but_of) {
     Statement taken(connection_,
                     "SELECT account_id FROM persons WHERE login_key = ? AND account_id <> ?");
     if (taken.run(key, but_of).next())
-        connection_.fail(Kind::kConflict, "the login is taken; choose another one");
+        connection_.fail(Kind::kConflict, Said::that("the login is taken; choose another one"));
 }
 
 int64_t Accounts::insert_user(const NewUser& user, const std::string& hash) {
@@ -92,9 +94,10 @@ void Accounts::need_another_administrator(const UserRecord& user) {
         another =
             another || has_role(static_cast<Roles>(others.integer("roles")), Role::kAdministrator);
     if (!another)
-        connection_.fail(Kind::kRefused, "\"" + user.login +
-                                             "\" is the last active administrator; make another "
-                                             "one first");
+        connection_.fail(
+            Kind::kRefused,
+            Said::that("\"%1\" is the last active administrator; make another one first")
+                .with(user.login));
 }
 
 void Accounts::set_active(int64_t user_id, bool active) {
@@ -113,7 +116,7 @@ void Accounts::set_active(int64_t user_id, bool active) {
 void Accounts::set_roles(int64_t user_id, Roles roles) {
     connection_.begin_operation("change the roles of a user in");
     context_.need_for(Action::kManageUsers, user_id);
-    if (roles == 0) connection_.fail(Kind::kRefused, "the user has no role");
+    if (roles == 0) connection_.fail(Kind::kRefused, Said::that("the user has no role"));
     UnitOfWork work(connection_);
     connection_.lock_table("accounts");
     const UserRecord user = context_.need_user(user_id);

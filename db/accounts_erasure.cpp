@@ -62,7 +62,7 @@ void Accounts::request_erasure(int64_t user_id, const std::string& reason) {
     (void)context_.need_user(user_id);
     Statement there(connection_, "SELECT account_id FROM erasure_requests WHERE account_id = ?");
     if (there.run(user_id).next())
-        connection_.fail(Kind::kConflict, "erasure was asked for already");
+        connection_.fail(Kind::kConflict, Said::that("erasure was asked for already"));
     context_.touch("user", user_id);
     Statement(connection_,
               "INSERT INTO erasure_requests (account_id, reason, asked_utc, done_utc) VALUES (?, "

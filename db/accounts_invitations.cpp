@@ -26,11 +26,14 @@ std::string Accounts::invite(const InvitationRecord& invitation) {
     connection_.begin_operation("invite somebody to");
     context_.need(Action::kManageUsers);
     need_accounts();
-    if (invitation.roles == 0) connection_.fail(Kind::kRefused, "the invitation has no role");
+    if (invitation.roles == 0)
+        connection_.fail(Kind::kRefused, Said::that("the invitation has no role"));
     if (!curriculum::utc_seconds(invitation.expires_utc))
-        connection_.fail(Kind::kRefused, "found the date \"" + invitation.expires_utc +
-                                             "\"; an invitation needs a last day, such as "
-                                             "2026-11-21");
+        connection_.fail(
+            Kind::kRefused,
+            Said::that("found the date \"%1\"; an invitation needs a last day, such as %2")
+                .with(invitation.expires_utc)
+                .with("2026-11-21"));
     UnitOfWork work(connection_);
     if (invitation.group_id != 0) context_.need_group(invitation.group_id);
     const std::string code = new_code();
@@ -86,7 +89,8 @@ int64_t Accounts::accept_invitation(const std::string& code, const NewUser& user
                         "invitations "
                         "WHERE code_hash = ? AND used_utc = ''");
         if (!query.run(checksum_hex(code)).next())
-            connection_.fail(Kind::kRefused, "the code is wrong or was used; ask for another one");
+            connection_.fail(Kind::kRefused,
+                             Said::that("the code is wrong or was used; ask for another one"));
         id = query.integer("id");
         invited.roles = static_cast<Roles>(query.integer("roles"));
         group = query.integer("group_id");
@@ -96,8 +100,9 @@ int64_t Accounts::accept_invitation(const std::string& code, const NewUser& user
     const int64_t last = curriculum::utc_seconds(expires).value_or(0) +
                          (expires.size() == 10 ? int64_t{86400} : int64_t{0});
     if (context_.now_ms() / 1000 >= last)
-        connection_.fail(Kind::kRefused,
-                         "the invitation ended on " + expires + "; ask for another one");
+        connection_.fail(
+            Kind::kRefused,
+            Said::that("the invitation ended on %1; ask for another one").with(expires));
     const int64_t user_id = insert_user(invited, hash);
     context_.touch("invitation", id);
     if (group != 0) context_.touch("group", group);

@@ -34,8 +34,9 @@ int64_t Accounts::begin_alone(const std::string& display_name) {
     connection_.begin_operation("begin without an account in");
     if (begun) context_.need(Action::kManageUsers);
     if (!connection_.is_sqlite())
-        connection_.fail(Kind::kRefused, "on a server everybody has an account and a password");
-    if (display_name.empty()) connection_.fail(Kind::kRefused, "the name is empty");
+        connection_.fail(Kind::kRefused,
+                         Said::that("on a server everybody has an account and a password"));
+    if (display_name.empty()) connection_.fail(Kind::kRefused, Said::that("the name is empty"));
     NewUser user;
     user.login = kLogin;
     user.display_name = display_name;
@@ -45,7 +46,7 @@ int64_t Accounts::begin_alone(const std::string& display_name) {
     const bool begun_meanwhile = any();
     connection_.begin_operation("begin without an account in");
     if (begun_meanwhile)
-        connection_.fail(Kind::kRefused, "there is an account already; sign in to it");
+        connection_.fail(Kind::kRefused, Said::that("there is an account already; sign in to it"));
     const int64_t id = insert_user(user, kNoPassword);
     work.commit();
     mark_store(connection_.url().path);
@@ -74,7 +75,7 @@ void Accounts::name_local_profile(const NewUser& user) {
     context_.need(Action::kUseStore);
     const std::optional<UserRecord> profile = find_profile(connection_);
     if (!profile || !context_.is_self(profile->id))
-        connection_.fail(Kind::kRefused, "there is no profile without a password here");
+        connection_.fail(Kind::kRefused, Said::that("there is no profile without a password here"));
     NewUser named = user;
     named.roles = profile->roles;
     const std::string hash = check_new_user(named);
@@ -93,7 +94,7 @@ void Accounts::name_local_profile(const NewUser& user) {
 }
 
 void Accounts::need_accounts() {
-    if (find_profile(connection_)) connection_.fail(Kind::kRefused, kOnePersonsStore);
+    if (find_profile(connection_)) connection_.fail(Kind::kRefused, one_persons_store());
 }
 
 }  // namespace placode::db

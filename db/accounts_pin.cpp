@@ -3,6 +3,7 @@
 // The PIN for a quick return at a shared station.
 
 #include <algorithm>
+#include <optional>
 
 #include "db/accounts.h"
 #include "db/password.h"
@@ -16,18 +17,18 @@ using Kind = StoreError::Kind;
 constexpr int kPinTries = 3;
 
 /// What is wrong with a PIN, or nothing.
-std::string pin_problem(const std::string& pin) {
+std::optional<Said> pin_problem(const std::string& pin) {
     if (pin.size() < 4 || pin.size() > 12 ||
         !std::all_of(pin.begin(), pin.end(), [](char c) { return c >= '0' && c <= '9'; }))
-        return "a PIN has four to twelve digits";
+        return Said::that("a PIN has four to twelve digits");
     const auto steps = [&](int step) {
         for (size_t i = 1; i < pin.size(); ++i)
             if (pin[i] - pin[i - 1] != step) return false;
         return true;
     };
     if (steps(0) || steps(1) || steps(-1))
-        return "all digits the same, or in a row, is the first that somebody tries";
-    return {};
+        return Said::that("all digits the same, or in a row, is the first that somebody tries");
+    return std::nullopt;
 }
 
 }  // namespace
@@ -37,8 +38,7 @@ void Accounts::set_pin(int64_t user_id, const std::string& pin) {
     context_.need_for(pin.empty() ? Action::kSetPassword : Action::kSetPin, user_id);
     (void)context_.need_user(user_id);
     if (!pin.empty())
-        if (const std::string problem = pin_problem(pin); !problem.empty())
-            connection_.fail(Kind::kRefused, problem);
+        if (const auto problem = pin_problem(pin)) connection_.fail(Kind::kRefused, *problem);
     const std::string hash =
         pin.empty() ? std::string() : hash_password(pin, context_.options.cheap_passwords);
     UnitOfWork work(connection_);

@@ -105,7 +105,7 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
         settle_recording_file(result.recording_file);
         const Bytes file = read_bytes(connection_, result.recording_file);
         if (file.size() > kMostRecordingBytes)
-            connection_.fail(Kind::kRefused, "the recording is larger than 1 GiB");
+            connection_.fail(Kind::kRefused, Said::that("the recording is larger than 1 GiB"));
         size = file.size();
         checksum = checksum_hex(file);
         packed = compress(file);

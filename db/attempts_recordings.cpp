@@ -37,7 +37,8 @@ void Attempts::extract_recording(int64_t attempt_id, const std::string& path) {
     Statement query(connection_,
                     "SELECT size_bytes, checksum, content FROM recordings WHERE attempt_id = ?");
     query.run(attempt_id);
-    if (!query.next()) connection_.fail(Kind::kNotFound, "the attempt has no recording");
+    if (!query.next())
+        connection_.fail(Kind::kNotFound, Said::that("the attempt has no recording"));
     const QByteArray content = query.bytes("content");
     const int64_t size = query.integer("size_bytes");
     Bytes file;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "db/attempt_counting.h"
+#include "db/said.h"
 
 namespace placode::db {
 
@@ -14,8 +15,8 @@ using curriculum::StageStatus;
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& problem) {
-    throw StoreError(StoreError::Kind::kRefused, problem);
+[[noreturn]] void refuse(const std::string& what, const Said& problem) {
+    throw StoreError(StoreError::Kind::kRefused, what, problem);
 }
 
 /// What the person did, not what a script showed: that is for accounts that show how it is done.
@@ -159,10 +160,12 @@ UserRecord find_proctor(Store& store, const std::string& name, int64_t examinee)
     // Whoever asks, the examinee too, is told no more of others than this.
     const std::optional<UserRecord> found = store.accounts().find_staff(name);
     if (!found && !store.accounts().may_sign_in(name))
-        refuse("the proctor \"" + name + "\" has no account here");
+        refuse("", Said::that("the proctor \"%1\" has no account here").with(name));
     if (!found)
-        refuse("\"" + name + "\" is no active educator or administrator and cannot be the proctor");
-    if (found->id == examinee) refuse("nobody can be their own proctor");
+        refuse("",
+               Said::that("\"%1\" is no active educator or administrator and cannot be the proctor")
+                   .with(name));
+    if (found->id == examinee) refuse("", Said::that("nobody can be their own proctor"));
     return *found;
 }
 
@@ -173,18 +176,21 @@ ExamOrder prepare_exam(Store& store, int64_t user_id, const std::string& course_
     const std::string what = "exam " + course_id + "/" + stage_id + ": ";
     const curriculum::CourseStage* stage = standing.course.stage(stage_id);
     if (stage == nullptr || stage->mode != curriculum::StageMode::kExam)
-        refuse(what + "the course has no such exam stage");
-    if (standing.assignment.id == 0) refuse(what + "the course is not assigned to this person");
-    if (standing.next.kind == curriculum::NextKind::kWait) refuse(what + standing.next.reason.en);
+        refuse(what, Said::that("the course has no such exam stage"));
+    if (standing.assignment.id == 0)
+        refuse(what, Said::that("the course is not assigned to this person"));
+    if (standing.next.kind == curriculum::NextKind::kWait)
+        refuse(what, Said::as_is(standing.next.reason));
     const auto at = static_cast<size_t>(stage - standing.course.stages.data());
     const curriculum::StageProgress& own = standing.progress.stages[at];
     if (own.status == StageStatus::kLocked)
-        refuse(what + "locked; to be mastered first: " + own.missing.front());
-    if (own.attempts_left == 0) refuse(what + "all attempts are used");
-    if (stage->exam.proctor && proctor.empty()) refuse(what + "the proctor's name is missing");
+        refuse(what, Said::that("locked; to be mastered first: %1").with(own.missing.front()));
+    if (own.attempts_left == 0) refuse(what, Said::that("all attempts are used"));
+    if (stage->exam.proctor && proctor.empty())
+        refuse(what, Said::that("the proctor's name is missing"));
     if (!proctor.empty()) (void)find_proctor(store, proctor, user_id);
     if (stage->exam.haptic_certificate && device_certificate.empty())
-        refuse(what + "the device has no haptic certificate");
+        refuse(what, Said::that("the device has no haptic certificate"));
     return {{course_id, standing.course.version, stage_id, proctor, device_certificate},
             stage->task_id,
             own.next_seed};
@@ -195,7 +201,8 @@ CertificateRecord issue_certificate(Store& store, int64_t user_id, const std::st
     const CourseStanding standing = course_standing(store, user_id, course_id, now_utc);
     if (standing.certificate) return *standing.certificate;
     if (!standing.progress.mastered)
-        refuse("certificate of " + course_id + ": not mastered yet. " + standing.next.reason.en);
+        refuse("certificate of " + course_id + ": ",
+               Said::that("not mastered yet. %1").with(Said::as_is(standing.next.reason)));
     publish_course_on_first_use(store, standing.course);
     return store.courses().save_certificate(user_id, course_id, standing.course.version,
                                             standing.progress.mastered_utc);

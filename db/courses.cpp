@@ -23,9 +23,11 @@ void check_dates(const Connection& connection, const AssignmentRecord& a) {
     for (const auto& [text, value] : {std::pair{a.starts_utc, starts}, {a.due_utc, due}})
         if (!text.empty() && !value)
             connection.fail(Kind::kRefused,
-                            "found the date \"" + text + "\"; expected a day such as 2026-11-21");
+                            Said::that("found the date \"%1\"; expected a day such as %2")
+                                .with(text)
+                                .with("2026-11-21"));
     if (starts && due && *due <= *starts)
-        connection.fail(Kind::kRefused, "the course is due before it begins");
+        connection.fail(Kind::kRefused, Said::that("the course is due before it begins"));
 }
 
 }  // namespace
@@ -38,7 +40,8 @@ int64_t Courses::assign(const AssignmentRecord& assignment) {
                              : context_.need_for(Action::kAssignCourses, assignment.user_id);
     check_dates(connection_, assignment);
     if ((assignment.user_id == 0) == (assignment.group_id == 0))
-        connection_.fail(Kind::kRefused, "a course is assigned to a person or to a group");
+        connection_.fail(Kind::kRefused,
+                         Said::that("a course is assigned to a person or to a group"));
     UnitOfWork work(connection_);
     if (assignment.user_id != 0)
         (void)context_.need_user(assignment.user_id);
@@ -46,14 +49,15 @@ int64_t Courses::assign(const AssignmentRecord& assignment) {
         context_.need_group(assignment.group_id);
     if (assignment.course_version == 0 ||
         !context_.find_definition("course", assignment.course_id, assignment.course_version))
-        connection_.fail(Kind::kRefused, "version " + std::to_string(assignment.course_version) +
-                                             " is not published; publish it first");
+        connection_.fail(Kind::kRefused, Said::that("version %1 is not published; publish it first")
+                                             .with(assignment.course_version));
     Statement there(connection_,
                     "SELECT id FROM course_assignments WHERE course_id = ? AND ended_utc = '' AND "
                     "COALESCE(account_id, 0) = ? AND COALESCE(group_id, 0) = ?");
     if (there.run(assignment.course_id, assignment.user_id, assignment.group_id).next())
-        connection_.fail(Kind::kConflict, "it is assigned already (assignment " + there.text(0) +
-                                              "); end that one first");
+        connection_.fail(Kind::kConflict,
+                         Said::that("it is assigned already (assignment %1); end that one first")
+                             .with(there.text(0)));
     Statement insert(connection_,
                      "INSERT INTO course_assignments (course_id, course_version, account_id, "
                      "group_id, starts_utc, due_utc, assigned_by, assigned_utc, ended_utc) VALUES "
@@ -84,7 +88,8 @@ void Courses::end_assignment(int64_t id) {
     UnitOfWork work(connection_);
     Statement query(connection_, "SELECT ended_utc FROM course_assignments WHERE id = ?");
     if (!query.run(id).next()) connection_.fail(Kind::kNotFound, "there is no such assignment");
-    if (!query.text(0).empty()) connection_.fail(Kind::kConflict, "it ended at " + query.text(0));
+    if (!query.text(0).empty())
+        connection_.fail(Kind::kConflict, Said::that("it ended at %1").with(query.text(0)));
     context_.touch("assignment", id);
     Statement(connection_, "UPDATE course_assignments SET ended_utc = ? WHERE id = ?")
         .run(utc_now(), id);
@@ -122,8 +127,9 @@ void Courses::grant_attempts(const GrantRecord& grant) {
     context_.need_for(Action::kAssignCourses, grant.user_id);
     if (grant.attempts < 1 || grant.attempts > 1000)
         connection_.fail(Kind::kRefused,
-                         "found " + std::to_string(grant.attempts) + "; expected 1 to 1000");
-    if (grant.reason.empty()) connection_.fail(Kind::kRefused, "a grant needs a reason");
+                         Said::that("found %1; expected 1 to 1000").with(grant.attempts));
+    if (grant.reason.empty())
+        connection_.fail(Kind::kRefused, Said::that("a grant needs a reason"));
     UnitOfWork work(connection_);
     (void)context_.need_user(grant.user_id);
     context_.touch("user", grant.user_id);

@@ -107,25 +107,27 @@ void Definitions::publish(const DefinitionRecord& definition) {
     if (!context_.may(action) && !is_shipped(definition)) context_.refuse(action);
     if (std::find(kKinds.begin(), kKinds.end(), definition.kind) == kKinds.end())
         connection_.fail(Kind::kRefused,
-                         "only questionnaires, studies, courses, tasks, rubrics, standards and "
-                         "seals of consents are published");
+                         Said::that("only questionnaires, studies, courses, tasks, rubrics, "
+                                    "standards and seals of consents are published"));
     check_content(definition);
     UnitOfWork work(connection_);
     connection_.lock_table("definitions");
     if (const auto there =
             context_.find_definition(definition.kind, definition.id, definition.version)) {
         if (there->json == definition.json) return;
-        connection_.fail(Kind::kConflict, name +
-                                              " is published with another text, which is never "
-                                              "changed; give your text the next version");
+        connection_.fail(Kind::kConflict,
+                         Said::that("%1 is published with another text, which is never changed; "
+                                    "give your text the next version")
+                             .with(name));
     }
     const auto newest = context_.find_definition(definition.kind, definition.id, 0);
     if (newest && newest->version > definition.version)
-        connection_.fail(Kind::kConflict, "version " + std::to_string(newest->version) +
-                                              " is published already; give your text a higher "
-                                              "version");
+        connection_.fail(
+            Kind::kConflict,
+            Said::that("version %1 is published already; give your text a higher version")
+                .with(newest->version));
     if (newest && definition.reason.empty())
-        connection_.fail(Kind::kRefused, "an amendment needs a reason");
+        connection_.fail(Kind::kRefused, Said::that("an amendment needs a reason"));
     Statement(connection_,
               "INSERT INTO definitions (kind, id, version, content, checksum, reason, "
               "published_by, published_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?)")

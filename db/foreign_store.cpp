@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "db/raw_sqlite.h"
+#include "db/said.h"
 #include "db/schema.h"
 #include "db/sqlite_file.h"
 #include "db/store_place.h"
@@ -28,10 +29,14 @@ struct SchemaObject {
 
 constexpr const char* kReadSchema =
     "SELECT type, name, tbl_name, COALESCE(sql, '') FROM sqlite_schema";
-constexpr const char* kNotMade = ", which Placode did not make";
-constexpr const char* kWayOut =
-    " and which may be there to do harm; nothing was changed; use another copy of the store, or "
-    "have whoever put it there take it out";
+
+Said not_ours(const std::string& object) {
+    return Said::that(
+               "it holds %1, which Placode did not make and which may be there to do harm; nothing "
+               "was changed; use another copy of the store, or have whoever put it there take it "
+               "out")
+        .with(object);
+}
 
 // SQLite compares names without regard to the case of ASCII letters.
 std::string lower(std::string text) {
@@ -166,7 +171,9 @@ class ForeignStore {
         sqlite3_busy_timeout(database_.get(), kWait_ms);
     }
 
-    void need_own(const std::vector<EmbeddedSql>& migrations, const char* way_out) const {
+    /// @param meaning of a file that holds more, with the first of it.
+    void need_own(const std::vector<EmbeddedSql>& migrations,
+                  Said (*meaning)(const std::string&)) const {
         if (answer("PRAGMA application_id") != std::to_string(kStoreApplicationId))
             fail(Kind::kDamaged, "it does not bear the mark of a store");
         if (const std::string problem = database_.schema_problem(); !problem.empty())
@@ -177,7 +184,7 @@ class ForeignStore {
         if (other.empty()) return;
         if (const std::string part = newer_part(objects, migrations); !part.empty())
             fail(Kind::kTooNew, too_new_sentence(part));
-        fail(Kind::kRefused, "it holds " + other + kNotMade + way_out);
+        throw StoreError(Kind::kRefused, operation_ + ": ", meaning(other));
     }
 
     void need_sound() const {
@@ -265,14 +272,17 @@ std::string first_in(Connection& connection, const std::vector<EmbeddedSql>& mig
 
 void need_own_schema(const std::string& path, const std::string& operation,
                      const std::vector<EmbeddedSql>& migrations) {
-    ForeignStore(path, operation).need_own(migrations, kWayOut);
+    ForeignStore(path, operation).need_own(migrations, not_ours);
 }
 
 std::string copy_problem(const std::string& path, const std::vector<EmbeddedSql>& migrations) {
     const std::string operation = "read the copy";
     try {
         const ForeignStore store(path, operation);
-        store.need_own(migrations, "");
+        // What was not asked to be used needs no way out.
+        store.need_own(migrations, [](const std::string& object) {
+            return Said::as_is("it holds " + object + ", which Placode did not make");
+        });
         store.need_sound();
     } catch (const StoreError& error) {
         return std::string(error.what()).substr((operation + ": ").size());
@@ -288,7 +298,7 @@ void need_nothing_that_acts(Connection& connection, const std::vector<EmbeddedSq
     if (!connection.is_sqlite()) return;
     if (const std::string other = first_in(connection, migrations, Objects::kThatAct);
         !other.empty())
-        connection.fail(Kind::kRefused, "it holds " + other + kNotMade + kWayOut);
+        connection.fail(Kind::kRefused, not_ours(other));
 }
 
 }  // namespace placode::db

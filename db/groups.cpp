@@ -15,11 +15,12 @@ int64_t Groups::create(const std::string& name) {
     connection_.begin_operation("create the group \"" + name + "\" in");
     context_.need(Action::kManageGroups, Scope::kGroup);  // It has no educator yet.
     const std::string key = login_key(name);
-    if (key.empty()) connection_.fail(Kind::kRefused, "the name is empty");
+    if (key.empty()) connection_.fail(Kind::kRefused, Said::that("the name is empty"));
     UnitOfWork work(connection_);
     Statement taken(connection_, "SELECT id FROM training_groups WHERE name_key = ?");
     if (taken.run(key).next())
-        connection_.fail(Kind::kConflict, "there is a group of this name; choose another one");
+        connection_.fail(Kind::kConflict,
+                         Said::that("there is a group of this name; choose another one"));
     Statement insert(connection_,
                      "INSERT INTO training_groups (name, name_key, created_utc) VALUES (?, ?, ?) "
                      "RETURNING id");

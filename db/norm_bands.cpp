@@ -8,6 +8,7 @@
 
 #include "assessment/statistics.h"
 #include "db/attempt_counting.h"
+#include "db/said.h"
 #include "db/signature.h"
 
 namespace placode::db {
@@ -40,8 +41,8 @@ Versions versions_of(const MeasuredAttempt& attempt) {
     return {attempt.record.metric_set_version, attempt.record.preprocessing_version};
 }
 
-[[noreturn]] void refuse(const std::string& problem) {
-    throw StoreError(StoreError::Kind::kRefused, problem);
+[[noreturn]] void refuse(const Said& problem) {
+    throw StoreError(StoreError::Kind::kRefused, "norms: ", problem);
 }
 
 const AttemptRecord& first_of(const LevelAttempts& level) {
@@ -76,8 +77,10 @@ void need_proof(const std::vector<LevelAttempts>& levels) {
                     ++unproven;
             }
     if (unproven > 0)
-        refuse("norms: " + std::to_string(unproven) + " of " + std::to_string(all) +
-               " attempts were never simulated again; let `placodectl verify --all` do that first");
+        refuse(Said::that("%1 of %2 attempts were never simulated again; let `placodectl verify "
+                          "--all` do that first")
+                   .with(unproven)
+                   .with(all));
 }
 
 }  // namespace
@@ -140,13 +143,14 @@ curriculum::NormPack make_norms(const std::vector<LevelAttempts>& levels, const 
     std::vector<const LevelAttempts*> all;
     for (const LevelAttempts& level : levels) {
         if (static_cast<int>(level.by_person.size()) < least)
-            refuse("norms: the level \"" + level.level + "\" has " +
-                   std::to_string(level.by_person.size()) + " persons with attempts; at least " +
-                   std::to_string(least) +
-                   " are needed, because bands of fewer tell about persons");
+            refuse(Said::that("the level \"%1\" has %2 persons with attempts; at least %3 are "
+                              "needed, because bands of fewer tell about persons")
+                       .with(level.level)
+                       .with(static_cast<int64_t>(level.by_person.size()))
+                       .with(least));
         all.push_back(&level);
     }
-    if (levels.empty()) refuse("norms: no level was named");
+    if (levels.empty()) refuse(Said::as_is("no level was named"));
     const AttemptRecord& first = first_of(levels.front());
     curriculum::NormPack pack;
     pack.centre = centre;
@@ -165,8 +169,8 @@ curriculum::NormPack make_norms(const std::vector<LevelAttempts>& levels, const 
                 if (attempt.record.rubric_version != first.rubric_version ||
                     attempt.record.rubric_id != first.rubric_id)
                     refuse(
-                        "norms: the attempts were scored under different rubrics; rescore them "
-                        "under one first");
+                        Said::that("the attempts were scored under different rubrics; rescore them "
+                                   "under one first"));
             }
     for (const LevelAttempts& level : levels)
         pack.groups.push_back(group_of(level, metrics_in(all)));

@@ -51,12 +51,14 @@ int64_t Norms::save(const curriculum::SignedNorms& norms) {
     context_.need(Action::kSetStandards);
     const curriculum::NormPack pack = curriculum::load_norm_pack(norms.content, "norm pack");
     if (!signature_is_right(norms.content, norms.signature, norms.public_key))
-        connection_.fail(Kind::kRefused,
-                         "its signature is wrong: the pack was changed after it was signed");
+        connection_.fail(
+            Kind::kRefused,
+            Said::that("its signature is wrong: the pack was changed after it was signed"));
     if (!trusted_centres().contains(norms.public_key))
-        connection_.fail(Kind::kRefused, "its centre \"" + pack.centre + "\" with the key " +
-                                             fingerprint(norms.public_key) +
-                                             " is not trusted here");
+        connection_.fail(Kind::kRefused,
+                         Said::that("its centre \"%1\" with the key %2 is not trusted here")
+                             .with(pack.centre)
+                             .with(fingerprint(norms.public_key)));
     UnitOfWork work(connection_);
     Statement there(connection_, "SELECT id FROM norm_packs WHERE signature = ?");
     if (there.run(norms.signature).next()) return there.integer(0);

@@ -57,15 +57,16 @@ void Norms::need_passphrase(const std::string& passphrase) {
 void Norms::need_owner_of_key() {
     if (!connection_.is_sqlite() && !owns_tables(connection_))
         connection_.fail(Kind::kRefused,
-                         "on a server the centre's key is sealed and changed with the log-in of "
-                         "the tables' owner; let an administrator run `placodectl norms key seal` "
-                         "with it");
+                         Said::that("on a server the centre's key is sealed and changed with the "
+                                    "log-in of the tables' owner; let an administrator run "
+                                    "`placodectl norms key seal` with it"));
 }
 
 OpenCentreKey Norms::opened(const KeptKey& kept, const std::string& passphrase) {
     auto secret = open_key(kept.kept, passphrase);
     if (!secret)
-        connection_.fail(Kind::kRefused, "the passphrase of the centre's key is wrong; try again");
+        connection_.fail(Kind::kRefused,
+                         Said::that("the passphrase of the centre's key is wrong; try again"));
     if (!is_pair(kept.public_key, secret->text()))
         connection_.fail(Kind::kDamaged,
                          "the centre's key and its public half do not fit; restore a backup");
@@ -135,8 +136,9 @@ OpenCentreKey Norms::open_centre_key(const std::string& centre, const std::strin
         return opened(need_key(), passphrase);
     }
     if (centre.empty())
-        connection_.fail(Kind::kRefused,
-                         "the centre has no name yet; give it with the first norm pack");
+        connection_.fail(
+            Kind::kRefused,
+            Said::that("the centre has no name yet; give it with the first norm pack"));
     need_passphrase(passphrase);
     KeyPair pair = new_key_pair();
     const Secret secret(pair.secret_key);

@@ -18,6 +18,7 @@
 
 #include "db/participant.h"
 #include "db/password.h"
+#include "db/said.h"
 #include "db/store_error.h"
 #include "db/store_url.h"
 
@@ -35,6 +36,9 @@ using SecretKey = std::array<unsigned char, crypto_secretbox_KEYBYTES>;
 
 [[noreturn]] void fail(Kind kind, const std::string& path, const std::string& problem) {
     throw StoreError(kind, "participant key " + path + ": " + problem);
+}
+[[noreturn]] void fail(Kind kind, const std::string& path, const Said& said) {
+    throw StoreError(kind, "participant key " + path + ": ", said);
 }
 
 QByteArray random_bytes(int count) {
@@ -60,9 +64,11 @@ SecretKey derive(const std::string& path, const std::string& passphrase, const Q
 
 void need_passphrase(const std::string& path, const std::string& passphrase) {
     if (QString::fromStdString(passphrase).size() < kLeastPassphraseLength)
-        fail(Kind::kRefused, path,
-             "the passphrase is too short; expected at least " +
-                 std::to_string(kLeastPassphraseLength) + " characters, four words are good");
+        fail(
+            Kind::kRefused, path,
+            Said::that(
+                "the passphrase is too short; expected at least %1 characters, four words are good")
+                .with(kLeastPassphraseLength));
 }
 
 QByteArray field(const QJsonObject& json, const char* name) {
@@ -88,7 +94,8 @@ ParticipantKey ParticipantKey::create(const std::string& path, const std::string
     need_sodium();
     need_passphrase(path, passphrase);
     if (QFileInfo::exists(QString::fromStdString(path)))
-        fail(Kind::kConflict, path, "is there already; open it, or choose another place");
+        fail(Kind::kConflict, path,
+             Said::that("is there already; open it, or choose another place"));
     ParticipantKey key;
     key.path_ = path;
     key.study_id_ = study_id;
@@ -103,7 +110,8 @@ ParticipantKey ParticipantKey::create(const std::string& path, const std::string
 ParticipantKey ParticipantKey::open(const std::string& path, const std::string& passphrase) {
     need_sodium();
     QFile file(QString::fromStdString(path));
-    if (!file.exists()) fail(Kind::kNotFound, path, "there is no such file; create the key first");
+    if (!file.exists())
+        fail(Kind::kNotFound, path, Said::that("there is no such file; create the key first"));
     if (!file.open(QIODevice::ReadOnly))
         fail(Kind::kUnavailable, path, file.errorString().toStdString());
     if (file.size() > kLargestFile) fail(Kind::kDamaged, path, "is too large to be a key file");
@@ -125,7 +133,8 @@ ParticipantKey ParticipantKey::open(const std::string& path, const std::string& 
         reinterpret_cast<unsigned char*>(plain.data()), raw(box),
         static_cast<unsigned long long>(box.size()), raw(nonce), secret.data());
     sodium_memzero(secret.data(), secret.size());
-    if (opened != 0) fail(Kind::kRefused, path, "the passphrase is wrong, or the file was changed");
+    if (opened != 0)
+        fail(Kind::kRefused, path, Said::that("the passphrase is wrong, or the file was changed"));
     const QJsonObject content = QJsonDocument::fromJson(plain).object();
     sodium_memzero(plain.data(), static_cast<size_t>(plain.size()));
     ParticipantKey key;
@@ -192,8 +201,8 @@ void ParticipantKey::save() const {
 
 void ParticipantKey::put(PersonEntry entry) {
     if (!valid_participant_code(entry.code))
-        fail(Kind::kRefused, path_, "\"" + entry.code + "\" is no participant's code");
-    if (entry.name.empty()) fail(Kind::kRefused, path_, "the name is missing");
+        fail(Kind::kRefused, path_, Said::that("\"%1\" is no participant's code").with(entry.code));
+    if (entry.name.empty()) fail(Kind::kRefused, path_, Said::that("the name is missing"));
     if (entry.added_utc.empty())
         entry.added_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     const auto before = entries_;

@@ -52,15 +52,16 @@ std::string login_key(const std::string& login) {
 
 std::string failures_key(const std::string& login) { return checksum_hex(login_key(login)); }
 
-std::optional<std::string> password_problem(const std::string& login, const std::string& password) {
+std::optional<Said> password_problem(const std::string& login, const std::string& password) {
     const auto length = QString::fromStdString(password).toUcs4().size();
     if (length < kLeastPasswordLength)
-        return "the length of the password is " + std::to_string(length) + "; it needs at least " +
-               std::to_string(kLeastPasswordLength);
+        return Said::that("the length of the password is %1; it needs at least %2")
+            .with(length)
+            .with(kLeastPasswordLength);
     if (length > kMostPasswordLength)
-        return "the password is longer than " + std::to_string(kMostPasswordLength) + " characters";
+        return Said::that("the password is longer than %1 characters").with(kMostPasswordLength);
     if (login_key(password) == login_key(login))
-        return std::string("the password is the login; choose another one");
+        return Said::that("the password is the login; choose another one");
     return std::nullopt;
 }
 

@@ -7,13 +7,15 @@
 #include <optional>
 #include <string>
 
+#include "db/said.h"
+
 namespace placode::db {
 
 inline constexpr int kLeastPasswordLength = 10;  ///< Characters.
 
 /// What is wrong with a password in plain words, or nothing.
-[[nodiscard]] std::optional<std::string> password_problem(const std::string& login,
-                                                          const std::string& password);
+[[nodiscard]] std::optional<Said> password_problem(const std::string& login,
+                                                   const std::string& password);
 
 /// Throws StoreError when memory for hashing is missing. @param cheap tests only.
 [[nodiscard]] std::string hash_password(const std::string& password, bool cheap);

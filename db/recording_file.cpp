@@ -13,6 +13,7 @@
 
 #include "db/raw_sqlite.h"
 #include "db/recording_chunks.h"
+#include "db/said.h"
 
 namespace placode::db {
 namespace {
@@ -118,7 +119,9 @@ class FileReader {
 
     void need_content() const {
         if (fs::file_size(path_) == 0)
-            fail(Kind::kDamaged, "the file is empty: the attempt never began; it can be removed");
+            throw StoreError(
+                Kind::kDamaged, kRead + " " + path_ + ": ",
+                Said::that("the file is empty: the attempt never began; it can be removed"));
     }
 
     int64_t pragma(const std::string& name) {

@@ -12,6 +12,7 @@
 #include "assessment/tissue_metrics.h"
 #include "db/evidence.h"
 #include "db/recording_file.h"
+#include "db/said.h"
 #include "db/standards.h"
 
 namespace placode::db {
@@ -46,9 +47,12 @@ DefinitionRecord rubric_definition(const curriculum::Task& task) {
 }
 
 [[noreturn]] void refuse_text(const DefinitionRecord& wanted) {
-    throw StoreError(StoreError::Kind::kConflict,
-                     "rubric " + wanted.id + " version " + std::to_string(wanted.version) +
-                         " is known with another text; give the rubric the next version");
+    throw StoreError(
+        StoreError::Kind::kConflict, "",
+        Said::that(
+            "rubric %1 version %2 is known with another text; give the rubric the next version")
+            .with(wanted.id)
+            .with(wanted.version));
 }
 
 void check_version(Store& store, const DefinitionRecord& wanted) {

@@ -11,6 +11,7 @@
 #include "db/foreign_store.h"
 #include "db/held_store.h"
 #include "db/raw_sqlite.h"
+#include "db/said.h"
 #include "db/sqlite_file.h"
 #include "db/station.h"
 #include "db/store.h"
@@ -82,9 +83,9 @@ std::string restore_store(const std::string& url, const std::string& backup_path
     const StoreUrl target = parse_store_url(url);
     const std::string operation = "restore " + backup_path + " to " + target.shown;
     if (target.engine != Engine::kSqlite || target.path == ":memory:")
-        throw StoreError(Kind::kRefused, operation +
-                                             ": only an embedded store is restored from a file; "
-                                             "use pg_restore on the server");
+        throw StoreError(Kind::kRefused, operation + ": ",
+                         Said::that("only an embedded store is restored from a file; use "
+                                    "pg_restore on the server"));
     if (!fs::is_regular_file(backup_path))
         throw StoreError(Kind::kNotFound, operation + ": there is no such backup");
     // 1. The backup is proved on a copy, which becomes the new store: it stays as it is itself.

@@ -24,10 +24,11 @@ int64_t Reviews::add_comment(const CommentRecord& comment) {
                          "there is no attempt " + std::to_string(comment.attempt_id));
     const double duration_s = there.real(0);
     if (!std::isfinite(comment.time_s) || comment.time_s > duration_s + 1)
-        connection_.fail(Kind::kRefused, "the time is not within the attempt of " +
-                                             std::to_string(std::lround(duration_s)) + " s");
+        connection_.fail(
+            Kind::kRefused,
+            Said::that("the time is not within the attempt of %1 s").with(std::lround(duration_s)));
     if (comment.time_s < 0 && comment.text.empty())
-        connection_.fail(Kind::kRefused, "a remark needs a text or a time");
+        connection_.fail(Kind::kRefused, Said::that("a remark needs a text or a time"));
     (void)context_.need_user(comment.author_id);
     context_.touch("attempt", comment.attempt_id);
     Statement insert(connection_,
@@ -101,13 +102,13 @@ int64_t Reviews::save_rating(const RatingRecord& rating) {
         connection_.fail(Kind::kNotFound,
                          "there is no attempt " + std::to_string(rating.attempt_id));
     if (there.integer("account_id") == rating.rater_id && there.text("study").empty())
-        connection_.fail(Kind::kRefused, "nobody rates an attempt of their own");
+        connection_.fail(Kind::kRefused, Said::that("nobody rates an attempt of their own"));
     (void)context_.need_user(rating.rater_id);
     Statement before(connection_,
                      "SELECT id FROM attempt_ratings WHERE attempt_id = ? AND rater_id = ? AND "
                      "questionnaire_id = ?");
     if (before.run(rating.attempt_id, rating.rater_id, rating.questionnaire_id).next())
-        connection_.fail(Kind::kConflict, "this rater has rated the attempt already");
+        connection_.fail(Kind::kConflict, Said::that("this rater has rated the attempt already"));
     context_.touch("attempt", rating.attempt_id);
     Statement insert(connection_,
                      "INSERT INTO attempt_ratings (attempt_id, rater_id, questionnaire_id, "

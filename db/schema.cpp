@@ -70,9 +70,10 @@ void need_owner(Connection& connection) {
     Statement query(connection,
                     "SELECT CASE WHEN has_schema_privilege('public', 'CREATE') THEN 1 ELSE 0 END");
     if (query.run().next() && query.integer(0) != 0) return;
-    connection.fail(StoreError::Kind::kRefused,
-                    "its tables are missing or of an older version, and this log-in may not make "
-                    "any; their owner does, with `placodectl station role --apply`");
+    connection.fail(
+        StoreError::Kind::kRefused,
+        Said::that("its tables are missing or of an older version, and this log-in may not make "
+                   "any; their owner does, with `placodectl station role --apply`"));
 }
 
 void create_register(Connection& connection) {

@@ -78,11 +78,12 @@ std::optional<SealedParts> read_parts(const std::string& sealed) {
 
 bool is_sealed_key(const std::string& kept) { return kept.starts_with(kSealedMark); }
 
-std::optional<std::string> passphrase_problem(const std::string& passphrase) {
+std::optional<Said> passphrase_problem(const std::string& passphrase) {
     if (QString::fromStdString(passphrase).toUcs4().size() >= kLeastPassphraseLength)
         return std::nullopt;
-    return "the passphrase is too short; expected at least " +
-           std::to_string(kLeastPassphraseLength) + " characters, four words are good";
+    return Said::that(
+               "the passphrase is too short; expected at least %1 characters, four words are good")
+        .with(kLeastPassphraseLength);
 }
 
 std::string seal_key(const std::string& secret, const std::string& passphrase, bool cheap) {

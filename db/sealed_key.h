@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "db/said.h"
 #include "db/secret.h"
 
 namespace placode::db {
@@ -16,7 +17,7 @@ namespace placode::db {
 [[nodiscard]] bool is_sealed_key(const std::string& kept);
 
 /// What is wrong with a new passphrase in plain words, or nothing.
-[[nodiscard]] std::optional<std::string> passphrase_problem(const std::string& passphrase);
+[[nodiscard]] std::optional<Said> passphrase_problem(const std::string& passphrase);
 
 /// Throws StoreError(kUnavailable) when memory for Argon2id is missing.
 /// @param cheap tests only: least work for Argon2id.

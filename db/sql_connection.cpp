@@ -193,6 +193,14 @@ void Connection::fail(StoreError::Kind kind, const std::string& problem) const {
     throw StoreError(kind, operation_ + " " + url_.shown + ": " + problem);
 }
 
+void Connection::fail(StoreError::Kind kind, const Said& said) const {
+    throw StoreError(kind, operation_ + " " + url_.shown + ": ", said);
+}
+
+void Connection::explain_refusals(std::function<std::optional<Said>()> meaning) {
+    meaning_of_refusal_ = std::move(meaning);
+}
+
 void Connection::fail(const QSqlError& error) {
     const QString code = error.nativeErrorCode();
     const Diagnosis diagnosis = is_sqlite() ? diagnose_sqlite(code.toInt())
@@ -207,7 +215,12 @@ void Connection::fail(const QSqlError& error) {
     if (!is_sqlite()) roll_back();
     // A server connection that broke is opened again by the next operation.
     if (!is_sqlite() && diagnosis.kind == Kind::kUnavailable) database_.close();
-    fail(diagnosis.kind, said + "; " + diagnosis.way_out);
+    const std::string problem = said + "; " + diagnosis.way_out;
+    if (diagnosis.kind != Kind::kRefused) fail(diagnosis.kind, problem);
+    // A trigger has nothing but text; whoever knows what it stands for says that.
+    const auto meaning = meaning_of_refusal_ ? meaning_of_refusal_() : std::nullopt;
+    fail(diagnosis.kind,
+         meaning && meaning->english() == problem ? *meaning : Said::as_is(problem));
 }
 
 Statement::Statement(Connection& connection, const std::string& sql)

@@ -8,10 +8,12 @@
 #include <QSqlQuery>
 #include <QVariant>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "db/said.h"
 #include "db/store_error.h"
 #include "db/store_url.h"
 
@@ -45,7 +47,10 @@ class Connection {
     [[nodiscard]] bool is_sqlite() const { return url_.engine == Engine::kSqlite; }
 
     [[noreturn]] void fail(StoreError::Kind kind, const std::string& problem) const;
+    [[noreturn]] void fail(StoreError::Kind kind, const Said& said) const;
     [[noreturn]] void fail(const QSqlError& error);
+    /// Asked where a trigger refused a change: what that means to people, if it is known.
+    void explain_refusals(std::function<std::optional<Said>()> meaning);
 
  private:
     void open();
@@ -56,6 +61,7 @@ class Connection {
     std::string operation_ = "open";
     bool in_transaction_ = false;
     std::function<void()> begun_, committing_, committed_;
+    std::function<std::optional<Said>()> meaning_of_refusal_;
 };
 
 /// A reference: 0 is bound as NULL.

@@ -173,8 +173,9 @@ void need_station_role(Connection& connection) {
     const auto problems = station_role_problems(connection);
     if (!problems.empty())
         connection.fail(StoreError::Kind::kRefused,
-                        "this log-in to the server can do more than a station should (" +
-                            problems.front() + "); use one that is member of placode_station");
+                        Said::that("this log-in to the server can do more than a station should "
+                                   "(%1); use one that is member of placode_station")
+                            .with(problems.front()));
 }
 
 }  // namespace placode::db

@@ -124,6 +124,7 @@ void bring_up_to_date(StoreContext& context) {
     connection.begin_operation("open");
     if (connection.is_sqlite()) claim_sqlite_file(connection);
     need_settled(connection);
+    connection.explain_refusals([&connection] { return moved_meanwhile(connection); });
     const auto& set = context.options.migrations;
     const bool changed =
         migrate(connection, set.empty() ? embedded_migrations() : set, [&context, &connection] {
@@ -221,11 +222,12 @@ void Store::backup(const std::string& path) {
     context_->need(Action::kBackup);
     if (!connection.is_sqlite())
         connection.fail(StoreError::Kind::kRefused,
-                        "a PostgreSQL store is backed up on its server, with pg_dump");
+                        Said::that("a PostgreSQL store is backed up on its server, with pg_dump"));
     for (const std::string& file : {path, head_file_of(path)})
         if (std::filesystem::exists(file))
-            connection.fail(StoreError::Kind::kConflict,
-                            file + " exists and is not overwritten; give another name");
+            connection.fail(
+                StoreError::Kind::kConflict,
+                Said::that("%1 exists and is not overwritten; give another name").with(file));
     // First, so that an erasure knows of it whenever this is killed.
     UnitOfWork work(connection);
     context_->append_audit("store.backup", path, "");

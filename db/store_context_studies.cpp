@@ -12,8 +12,10 @@ using Kind = StoreError::Kind;
 void StoreContext::need_participant(const std::string& study_id, const std::string& code) {
     Statement there(connection, "SELECT number FROM participants WHERE study_id = ? AND code = ?");
     if (!there.run(study_id, code).next())
-        connection.fail(Kind::kNotFound, "the study \"" + study_id + "\" has no participant \"" +
-                                             code + "\"; check the code");
+        connection.fail(Kind::kNotFound,
+                        Said::that("the study \"%1\" has no participant \"%2\"; check the code")
+                            .with(study_id)
+                            .with(code));
 }
 
 void StoreContext::need_active_participant(const std::string& study_id, const std::string& code,
@@ -25,12 +27,15 @@ void StoreContext::need_active_participant(const std::string& study_id, const st
         "p.code LEFT JOIN withdrawals w ON w.study_id = p.study_id AND w.code = "
         "p.code WHERE p.study_id = ? AND p.code = ?");
     if (!participant.run(study_id, code).next())
-        connection.fail(Kind::kNotFound, "the study \"" + study_id + "\" has no participant \"" +
-                                             code + "\"; check the code");
+        connection.fail(Kind::kNotFound,
+                        Said::that("the study \"%1\" has no participant \"%2\"; check the code")
+                            .with(study_id)
+                            .with(code));
     const int version = static_cast<int>(participant.integer("version"));
     if (const std::string mode = participant.text("mode"); !mode.empty())
-        connection.fail(Kind::kRefused,
-                        code + " has withdrawn (" + mode + "); nothing more is recorded");
+        connection.fail(
+            Kind::kRefused,
+            Said::that("%1 has withdrawn (%2); nothing more is recorded").with(code).with(mode));
     need_unlocked(study_id, code);
     if (version == 0) return;
     const auto published = find_definition("study", study_id, version);
@@ -47,7 +52,9 @@ void StoreContext::need_active_participant(const std::string& study_id, const st
                           "AND state = 'done'");
         if (!consent.run(study_id, code, each.id).next())
             connection.fail(Kind::kRefused,
-                            code + " has not consented; record the step \"" + each.id + "\" first");
+                            Said::that("%1 has not consented; record the step \"%2\" first")
+                                .with(code)
+                                .with(each.id));
     }
 }
 
@@ -61,9 +68,9 @@ bool StoreContext::is_locked(const std::string& study_id, const std::string& cod
 
 void StoreContext::need_unlocked(const std::string& study_id, const std::string& code) {
     if (is_locked(study_id, code))
-        connection.fail(Kind::kRefused, "the record of " + code +
-                                            " is locked; unlock it with a reason first, which "
-                                            "cancels its signature");
+        connection.fail(Kind::kRefused, Said::that("the record of %1 is locked; unlock it with a "
+                                                   "reason first, which cancels its signature")
+                                            .with(code));
 }
 
 }  // namespace placode::db

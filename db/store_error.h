@@ -4,10 +4,13 @@
 // How a store says that it could not do what was asked.
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 namespace placode::db {
+
+class Said;
 
 /// Operation, place and way out, e.g. `open sqlite:/x/placode.db: database is locked by another
 /// program; close it, or wait and try again`.
@@ -25,10 +28,17 @@ class StoreError : public std::runtime_error {
         kOther
     };
     StoreError(Kind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+    /// A refusal, or another trouble that a person can mend. @param before operation and place with
+    /// what parts them from the sentence, "open sqlite:/x: ", or nothing.
+    StoreError(Kind kind, const std::string& before, const Said& said);
     [[nodiscard]] Kind kind() const noexcept { return kind_; }
+    /// What it says to people, without operation and place (db/said.h); nullptr where only what()
+    /// is there: what an engine or a file says.
+    [[nodiscard]] const Said* said() const noexcept { return said_.get(); }
 
  private:
     Kind kind_;
+    std::shared_ptr<const Said> said_;  ///< Shared: the copy of an exception may not throw.
 };
 
 /// What says nothing about the data itself: the disk failed, or another program holds the file.

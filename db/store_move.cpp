@@ -68,7 +68,7 @@ class StoreMove {
         // On a server nobody could sign in to it any more.
         const bool nobody_has_a_password = Accounts(source_).local_profile().has_value();
         from_.begin_operation("move");
-        if (nobody_has_a_password) from_.fail(Kind::kRefused, kOnePersonsStore);
+        if (nobody_has_a_password) from_.fail(Kind::kRefused, one_persons_store());
         place_.store = first_chain(from_);
         if (place_.store.empty())
             from_.fail(Kind::kRefused, "there is nothing in it yet; begin in the new place");

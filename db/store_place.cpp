@@ -22,9 +22,10 @@ bool has_place(Connection& connection) {
     return query.run(kPlaceTable).next() && query.integer(0) > 0;
 }
 
-std::string moved_sentence(const StorePlace& place) {
-    return "the store was moved to " + place.to + "; use that address, or bring it back with `" +
-           move_command(place.to, place.from) + "`";
+Said moved_sentence(const StorePlace& place) {
+    return Said::that("the store was moved to %1; use that address, or bring it back with `%2`")
+        .with(place.to)
+        .with(move_command(place.to, place.from));
 }
 
 std::string in_quotes(std::string text) {
@@ -88,12 +89,28 @@ void forget_place(Connection& connection) {
 void need_settled(Connection& connection) {
     const auto place = place_of(connection);
     if (!place) return;
-    connection.fail(StoreError::Kind::kRefused,
-                    place->state == State::kMoved
-                        ? moved_sentence(*place)
-                        : "a store is being moved here from " + place->from +
-                              ", and that is not finished; go on with `" +
-                              move_command(place->from, place->to) + "`");
+    connection.fail(
+        StoreError::Kind::kRefused,
+        place->state == State::kMoved
+            ? moved_sentence(*place)
+            : Said::that(
+                  "a store is being moved here from %1, and that is not finished; go on with `%2`")
+                  .with(place->from)
+                  .with(move_command(place->from, place->to)));
+}
+
+std::optional<Said> moved_meanwhile(Connection& connection) {
+    try {
+        const auto place = place_of(connection);
+        if (!place || place->state != State::kMoved) return std::nullopt;
+        return Said::that(
+                   "the store was moved to %1; use that address, or bring it back with `%2`; "
+                   "nothing was changed")
+            .with(place->to)
+            .with(move_command(place->to, place->from));
+    } catch (const StoreError&) {
+        return std::nullopt;  // The engine's own text says it.
+    }
 }
 
 void close_place(Connection& connection, const StorePlace& place,
@@ -105,7 +122,7 @@ void close_place(Connection& connection, const StorePlace& place,
         connection.execute(
             "CREATE FUNCTION store_was_moved() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN RAISE "
             "EXCEPTION USING MESSAGE = " +
-            in_quotes(moved_sentence(place)) + "; END $$");
+            in_quotes(moved_sentence(place).english()) + "; END $$");
     for (const std::string& name : names) {
         if (!connection.is_sqlite()) {
             connection.execute("CREATE TRIGGER " + name +
@@ -121,7 +138,8 @@ void close_place(Connection& connection, const StorePlace& place,
 std::string closing_trigger(const std::string& table, const std::string& change,
                             const StorePlace& place) {
     return "CREATE TRIGGER " + table + "_has_moved_" + change + " BEFORE " + change + " ON " +
-           table + " BEGIN SELECT RAISE(ABORT, " + in_quotes(moved_sentence(place)) + "); END";
+           table + " BEGIN SELECT RAISE(ABORT, " + in_quotes(moved_sentence(place).english()) +
+           "); END";
 }
 
 std::string place_name(const StoreUrl& url) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "db/said.h"
 #include "db/store_tables.h"
 
 namespace placode::db {
@@ -40,6 +41,9 @@ void forget_place(Connection& connection);
 /// Throws kRefused for a store that is moving or has moved, naming both places and the command that
 /// goes on, or back.
 void need_settled(Connection& connection);
+/// For Connection::explain_refusals(): what the triggers of close_place() say to a program that had
+/// the store open; nullopt where the store did not move.
+[[nodiscard]] std::optional<Said> moved_meanwhile(Connection& connection);
 
 /// Within a transaction: set_place(), and from the commit on the engine refuses every change of
 /// every table, also by programs that have the store open.

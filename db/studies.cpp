@@ -46,7 +46,7 @@ std::vector<std::string> Studies::ids() {
 std::string Studies::new_participant(const std::string& study_id, bool demonstration) {
     connection_.begin_operation("add a participant to the study \"" + study_id + "\" in");
     context_.need(Action::kRunQuestionnaire);
-    if (study_id.empty()) connection_.fail(Kind::kRefused, "the study has no id");
+    if (study_id.empty()) connection_.fail(Kind::kRefused, Said::that("the study has no id"));
     UnitOfWork work(connection_);
     connection_.lock_table("participants");
     Statement last(connection_,
@@ -79,7 +79,7 @@ void Studies::set_participant_device(const std::string& study_id, const std::str
                                      const std::string& device) {
     connection_.begin_operation("choose the device of " + code + " in");
     context_.need(Action::kRunQuestionnaire);
-    if (device.empty()) connection_.fail(Kind::kRefused, "no device is named");
+    if (device.empty()) connection_.fail(Kind::kRefused, Said::that("no device is named"));
     UnitOfWork work(connection_);
     context_.need_participant(study_id, code);
     Statement before(connection_,

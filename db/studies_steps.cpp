@@ -72,16 +72,18 @@ int64_t Studies::insert_step(StepRecord step) {
 int64_t Studies::record_step(const StepRecord& step) {
     connection_.begin_operation("record the step \"" + step.step + "\" in");
     context_.need(Action::kRunQuestionnaire);
-    if (step.step.empty()) connection_.fail(Kind::kRefused, "the step has no id");
+    if (step.step.empty()) connection_.fail(Kind::kRefused, Said::that("the step has no id"));
     UnitOfWork work(connection_);
     context_.need_active_participant(step.study_id, step.participant, step.step);
     Statement owner(connection_, "SELECT study, participant FROM attempts WHERE id = ?");
     if (owner.run(step.attempt_id).next()) {
         const std::string study = owner.text("study"), participant = owner.text("participant");
         if (!study.empty() && (study != step.study_id || participant != step.participant))
-            connection_.fail(Kind::kRefused, "attempt " + std::to_string(step.attempt_id) +
-                                                 " belongs to " + participant + " of the study \"" +
-                                                 study + "\"");
+            connection_.fail(Kind::kRefused,
+                             Said::that("attempt %1 belongs to %2 of the study \"%3\"")
+                                 .with(step.attempt_id)
+                                 .with(participant)
+                                 .with(study));
     }
     const int64_t id = insert_step(step);
     work.commit();

@@ -55,19 +55,22 @@ void Studies::withdraw(const std::string& study_id, const std::string& code, Wit
     connection_.begin_operation("withdraw " + code + " from the study \"" + study_id + "\" in");
     context_.need(Action::kRunQuestionnaire);
     if (reason.empty())
-        connection_.fail(Kind::kRefused, "a withdrawal needs a reason; \"not given\" is one");
+        connection_.fail(Kind::kRefused,
+                         Said::that("a withdrawal needs a reason; \"not given\" is one"));
     UnitOfWork work(connection_);
     Statement query(connection_,
                     "SELECT w.mode FROM participants p LEFT JOIN withdrawals w ON w.study_id = "
                     "p.study_id AND w.code = p.code WHERE p.study_id = ? AND p.code = ?");
     if (!query.run(study_id, code).next())
-        connection_.fail(Kind::kNotFound, "there is no such participant; check the code");
+        connection_.fail(Kind::kNotFound,
+                         Said::that("there is no such participant; check the code"));
     const std::string before = query.text(0);
     // Who has withdrawn may still ask for less use of the data, never for more.
     const bool less = before == "keep" ? mode != WithdrawalMode::kKeep
                                        : before == "stop" && mode == WithdrawalMode::kErase;
     if (!before.empty() && !less)
-        connection_.fail(Kind::kConflict, "the participant has withdrawn already (" + before + ")");
+        connection_.fail(Kind::kConflict,
+                         Said::that("the participant has withdrawn already (%1)").with(before));
     context_.touch("participant", {study_id, code});
     if (before.empty())
         Statement(connection_,

@@ -11,6 +11,7 @@
 #include "db/attempt_counting.h"
 #include "db/consent.h"
 #include "db/packing.h"
+#include "db/said.h"
 #include "db/study_records.h"
 
 namespace placode::db {
@@ -120,16 +121,17 @@ void record_consent(Store& store, const std::string& study_id, const std::string
                     const std::string& language, const std::vector<std::string>& agreed,
                     const std::string& signature) {
     const auto protocol = published_study(store, study_id);
-    const auto refuse = [&](const std::string& problem) {
+    const auto refuse = [&](const Said& problem) {
         throw StoreError(StoreError::Kind::kRefused,
-                         "consent of " + code + " to " + study_id + ": " + problem);
+                         "consent of " + code + " to " + study_id + ": ", problem);
     };
     if (!protocol || !protocol->needs_consent())
-        refuse("the study has no published protocol that asks for one");
+        refuse(Said::that("the study has no published protocol that asks for one"));
     for (const auto& statement : protocol->consent.statements)
         if (statement.required &&
             std::find(agreed.begin(), agreed.end(), statement.id) == agreed.end())
-            refuse("the statement \"" + statement.id + "\" is required and was not agreed to");
+            refuse(Said::that("the statement \"%1\" is required and was not agreed to")
+                       .with(statement.id));
     StepRecord step;
     step.study_id = study_id;
     step.participant = code;
@@ -172,8 +174,9 @@ bool has_agreed(Store& store, const std::string& study_id, const std::string& co
 int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionnaire,
                        const AnswerRecord& answers) {
     if (const auto problem = curriculum::check_answers(questionnaire, answers.answers))
-        throw StoreError(StoreError::Kind::kRefused, "answers of " + answers.participant + " to " +
-                                                         questionnaire.id + ": " + *problem);
+        throw StoreError(StoreError::Kind::kRefused,
+                         "answers of " + answers.participant + " to " + questionnaire.id + ": ",
+                         Said::as_is(*problem));
     publish_on_first_use(store, questionnaire);
     const int64_t id = store.studies().save_answers(answers);
     const auto protocol = published_study(store, answers.study_id);

@@ -92,7 +92,7 @@ void StudyRecords::lock(const std::string& study_id, const std::string& code) {
     UnitOfWork work(connection_);
     context_.need_participant(study_id, code);
     if (context_.is_locked(study_id, code))
-        connection_.fail(Kind::kConflict, "it is locked already");
+        connection_.fail(Kind::kConflict, Said::that("it is locked already"));
     RecordEvent event = event_of(study_id, code, RecordEventKind::kLocked, context_.actor.name);
     event.checksum = checksum_of(study_id, code);
     insert_event(event);
@@ -106,23 +106,28 @@ void StudyRecords::sign(const std::string& study_id, const std::string& code,
     connection_.begin_operation(operation);
     context_.need(Action::kRunQuestionnaire);
     if (meaning.empty())
-        connection_.fail(Kind::kRefused, "a signature needs its meaning, such as \"reviewed\"");
+        connection_.fail(
+            Kind::kRefused,
+            Said::that("a signature needs its meaning, such as \"%1\"").with("reviewed"));
     // As every sign-in: counted, and slowed down after wrong ones.
     const SignIn who = Accounts(context_).confirm(login, password);
     connection_.begin_operation(operation);
     if (who.outcome != SignInOutcome::kOk) {
-        connection_.fail(Kind::kRefused, who.outcome == SignInOutcome::kThrottled
-                                             ? "too many wrong passwords; try again in " +
-                                                   std::to_string(who.wait_s) + " s"
-                                             : "login or password is wrong; nothing was signed");
+        connection_.fail(
+            Kind::kRefused,
+            who.outcome == SignInOutcome::kThrottled
+                ? Said::that("too many wrong passwords; try again in %1 s").with(who.wait_s)
+                : Said::that("login or password is wrong; nothing was signed"));
     }
     UnitOfWork work(connection_);
     if (!context_.is_locked(study_id, code))
-        connection_.fail(Kind::kRefused, "lock the record first: what is signed must not change");
+        connection_.fail(Kind::kRefused,
+                         Said::that("lock the record first: what is signed must not change"));
     const auto all = states(study_id);
     if (const auto found = all.find(code); found != all.end() && found->second.signature)
-        connection_.fail(Kind::kConflict,
-                         "it is signed already, by " + found->second.signature->name);
+        connection_.fail(
+            Kind::kConflict,
+            Said::that("it is signed already, by %1").with(found->second.signature->name));
     RecordEvent event =
         event_of(study_id, code, RecordEventKind::kSigned, user_object(who.user->id));
     event.name = event.login;  // The number: the name goes with the person.
@@ -136,9 +141,10 @@ void StudyRecords::unlock(const std::string& study_id, const std::string& code,
                           const std::string& reason) {
     connection_.begin_operation("unlock the record of " + code + " in");
     context_.need(Action::kRunQuestionnaire);
-    if (reason.empty()) connection_.fail(Kind::kRefused, "unlocking needs a reason");
+    if (reason.empty()) connection_.fail(Kind::kRefused, Said::that("unlocking needs a reason"));
     UnitOfWork work(connection_);
-    if (!context_.is_locked(study_id, code)) connection_.fail(Kind::kConflict, "it is not locked");
+    if (!context_.is_locked(study_id, code))
+        connection_.fail(Kind::kConflict, Said::that("it is not locked"));
     RecordEvent event = event_of(study_id, code, RecordEventKind::kUnlocked, context_.actor.name);
     event.remark = reason;
     event.checksum = checksum_of(study_id, code);

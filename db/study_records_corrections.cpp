@@ -41,24 +41,24 @@ void StudyRecords::need_valid(const AnswerRecord& answers) {
     const auto published = context_.find_definition("questionnaire", answers.questionnaire_id,
                                                     answers.questionnaire_version);
     if (!published)
-        connection_.fail(Kind::kRefused, "the questionnaire " + answers.questionnaire_id +
-                                             " is not published, so that nothing says which "
-                                             "answers are possible");
+        connection_.fail(Kind::kRefused, Said::that("the questionnaire %1 is not published, so "
+                                                    "that nothing says which answers are possible")
+                                             .with(answers.questionnaire_id));
     const auto questionnaire = curriculum::load_questionnaire_text(
         published->json, "questionnaire " + answers.questionnaire_id);
     if (const auto problem = curriculum::check_answers(questionnaire, answers.answers))
-        connection_.fail(Kind::kRefused, *problem + "; nothing was changed");
+        connection_.fail(Kind::kRefused, Said::as_is(*problem + "; nothing was changed"));
 }
 
 void StudyRecords::correct_answers(int64_t answer_id, int entry, const curriculum::Answers& changes,
                                    const std::string& reason) {
     connection_.begin_operation("correct answers in");
     context_.need(Action::kRunQuestionnaire);
-    if (reason.empty()) connection_.fail(Kind::kRefused, "a correction needs a reason");
+    if (reason.empty()) connection_.fail(Kind::kRefused, Said::that("a correction needs a reason"));
     UnitOfWork work(connection_);
     AnswerRecord record = need_answers(answer_id, entry);
     if (entry == 2 && record.answers.empty())
-        connection_.fail(Kind::kNotFound, "these answers have no second entry");
+        connection_.fail(Kind::kNotFound, Said::that("these answers have no second entry"));
     context_.need_unlocked(record.study_id, record.participant);
     const curriculum::Answers before = record.answers;
     for (const auto& [item, answer] : changes) {
@@ -85,7 +85,7 @@ void StudyRecords::correct_answers(int64_t answer_id, int entry, const curriculu
         keep.run(answer_id, entry, item, was, answer, reason, context_.actor.name, utc_now());
         items += " " + item;
     }
-    if (items.empty()) connection_.fail(Kind::kRefused, "nothing would change");
+    if (items.empty()) connection_.fail(Kind::kRefused, Said::that("nothing would change"));
     context_.append_audit(
         "study.correct", record.study_id + " " + record.participant,
         record.questionnaire_id + (entry == 2 ? ", second entry:" : ":") + items + ": " + reason);
@@ -118,7 +118,9 @@ void StudyRecords::save_second_entry(const SecondEntry& entry) {
     context_.need_unlocked(record.study_id, record.participant);
     Statement there(connection_, "SELECT entered_by FROM second_entries WHERE answer_id = ?");
     if (there.run(entry.answer_id).next())
-        connection_.fail(Kind::kConflict, "these answers have a second entry, by " + there.text(0));
+        connection_.fail(
+            Kind::kConflict,
+            Said::that("these answers have a second entry, by %1").with(there.text(0)));
     record.answers = entry.answers;
     need_valid(record);
     context_.touch("participant", {record.study_id, record.participant});
@@ -158,13 +160,14 @@ void StudyRecords::save_consent_signature(const std::string& study_id, const std
                                           const std::string& path) {
     connection_.begin_operation("save the signature under the consent of " + code + " in");
     context_.need(Action::kRunQuestionnaire);
-    if (path.empty()) connection_.fail(Kind::kRefused, "nothing was signed");
+    if (path.empty()) connection_.fail(Kind::kRefused, Said::that("nothing was signed"));
     UnitOfWork work(connection_);
     context_.need_active_participant(study_id, code, "");
     Statement there(connection_,
                     "SELECT at_utc FROM consent_signatures WHERE study_id = ? AND code = ?");
     if (there.run(study_id, code).next())
-        connection_.fail(Kind::kConflict, "the consent was signed at " + there.text(0));
+        connection_.fail(Kind::kConflict,
+                         Said::that("the consent was signed at %1").with(there.text(0)));
     const auto key = context_.find_definition("consent_seal", study_id, 0);
     context_.touch("participant", {study_id, code});
     Statement(connection_,

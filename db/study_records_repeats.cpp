@@ -13,7 +13,7 @@ void StudyRecords::repeat_step(const std::string& study_id, const std::string& c
                                const std::string& step, const std::string& reason) {
     connection_.begin_operation("have the step \"" + step + "\" of " + code + " done again in");
     context_.need(Action::kRunQuestionnaire);
-    if (reason.empty()) connection_.fail(Kind::kRefused, "a repeat needs a reason");
+    if (reason.empty()) connection_.fail(Kind::kRefused, Said::that("a repeat needs a reason"));
     UnitOfWork work(connection_);
     context_.need_participant(study_id, code);
     context_.need_active_participant(study_id, code, "");
@@ -32,8 +32,8 @@ void StudyRecords::repeat_step(const std::string& study_id, const std::string& c
     }
     if (attempt == 0)
         connection_.fail(Kind::kRefused,
-                         "there is no attempt of this step that counts; only a "
-                         "procedure that was done is done again");
+                         Said::that("there is no attempt of this step that counts; only a "
+                                    "procedure that was done is done again"));
     context_.touch("participant", {study_id, code});
     for (const int64_t id : ids)
         Statement(connection_,
@@ -50,8 +50,8 @@ void StudyRecords::note_step(const std::string& study_id, const std::string& cod
                              const std::string& step, const std::string& note) {
     connection_.begin_operation("note something on the step \"" + step + "\" of " + code + " in");
     context_.need(Action::kRunQuestionnaire);
-    if (note.empty()) connection_.fail(Kind::kRefused, "the note is empty");
-    if (step.empty()) connection_.fail(Kind::kRefused, "the step has no id");
+    if (note.empty()) connection_.fail(Kind::kRefused, Said::that("the note is empty"));
+    if (step.empty()) connection_.fail(Kind::kRefused, Said::that("the step has no id"));
     UnitOfWork work(connection_);
     context_.need_participant(study_id, code);
     context_.need_unlocked(study_id, code);

@@ -134,6 +134,16 @@ QString with_spoken_sign(QString number) {
     return spoken_here ? number.replace('.', spoken_here->decimalPoint()) : number;
 }
 
+QString said_words(const db::Said& said) {
+    const char* code = spoken().language() == QLocale::Polish ? "pl" : "en";
+    QString words = QString::fromStdString(
+        said.in(code, [](const char* sentence) { return db::Said::tr(sentence).toStdString(); }));
+    if (words.isEmpty()) return words;
+    // "the login is taken; choose another one" goes on a line; alone it is a sentence.
+    words[0] = words[0].toUpper();
+    return words.endsWith('.') || words.endsWith('?') ? words : words + '.';
+}
+
 QString figure_word(const char* english) { return translated("Figure", english); }
 
 QString reason_words(const assessment::Reason& reason) {

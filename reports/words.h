@@ -12,6 +12,7 @@
 #include "assessment/ledger.h"
 #include "assessment/scoring.h"
 #include "assessment/themes.h"
+#include "db/said.h"
 #include "db/study_deviations.h"
 
 namespace placode::reports {
@@ -34,6 +35,9 @@ class Speaking {
 /// A number as it stands in every report ("3.5"), with the decimal sign of who is spoken to; as it
 /// is where no language was said.
 [[nodiscard]] QString with_spoken_sign(QString number);
+
+/// What the store says to people, as a sentence in the program's language.
+[[nodiscard]] QString said_words(const db::Said& said);
 
 /// A word of the figures, translated.
 [[nodiscard]] QString figure_word(const char* english);

@@ -8,6 +8,8 @@
 #include <map>
 #include <string>
 
+#include "db/said.h"
+
 using namespace placode::db;
 
 namespace THIS_TEST {
@@ -118,9 +120,12 @@ TEST(Access, AnUnknownActionIsAllowedToNobody) {
 }
 
 TEST(Access, ARefusalNamesTheRoleThatCould) {
-    EXPECT_NE(refusal(Action::kViewAttempts).find("educator"), std::string::npos);
-    EXPECT_NE(refusal(Action::kExportStudy).find("coordinator"), std::string::npos);
-    EXPECT_NE(refusal(Action::kBackup).find("administrator"), std::string::npos);
+    EXPECT_NE(refusal(Action::kViewAttempts).english().find("educator"), std::string::npos);
+    EXPECT_NE(refusal(Action::kExportStudy).english().find("coordinator"), std::string::npos);
+    EXPECT_TRUE(is_about_rights(refusal(Action::kViewAttempts)));
+    EXPECT_FALSE(is_about_rights(Said::that("you may not")));
+    EXPECT_FALSE(is_about_rights(Said::as_is("you may not %1; %2 can")));
+    EXPECT_NE(refusal(Action::kBackup).english().find("administrator"), std::string::npos);
 }
 
 }  // namespace THIS_TEST

@@ -20,6 +20,7 @@ using db::StoreError;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 namespace THIS_TEST {
 
@@ -188,6 +189,10 @@ TEST_F(MoveTest, TheOldPlaceRefusesAndNamesTheNewOne) {
         const auto refused = failure_of([&] { still.accounts().create(trainee("late")); });
         EXPECT_EQ(refused.kind(), StoreError::Kind::kRefused);
         EXPECT_THAT(refused.what(), HasSubstr("the store was moved to " + place));
+        // The engine has only text; what it means goes along, to be said in any language.
+        ASSERT_NE(refused.said(), nullptr);
+        EXPECT_THAT(refused.said()->in("pl", [](const char*) { return std::string("do %1: %2"); }),
+                    AllOf(StartsWith("do " + place), HasSubstr(": placodectl --store " + place)));
         // Whatever it wants to write, and by whatever way.
         db::Connection behind(db::parse_store_url(from));
         for (const std::string& table : db::names_of_tables(behind))

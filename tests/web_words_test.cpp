@@ -12,6 +12,9 @@
 #include <set>
 #include <sstream>
 
+#include "db/access.h"
+#include "ui/web/answers.h"
+
 namespace placode::web {
 namespace THIS_TEST {
 
@@ -134,6 +137,18 @@ TEST(WebWords, WhatIsFilledInIsEscapedOnceAndHasNoPlaces) {
                   text(5))
                   .escaped_text.substr(0, 22),
               "Bands of persons&#39; ");
+}
+
+TEST(WebWords, ARefusalSaysWhoMayAndNoAddress) {
+    using db::StoreError;
+    const auto told = [](const db::Said& said) {
+        return trouble(StoreError(StoreError::Kind::kRefused, "open x: ", said), {}).body;
+    };
+    EXPECT_NE(told(db::refusal(db::Action::kViewAudit)).find("You may not see the audit trail; an"),
+              std::string::npos);
+    const std::string moved = told(db::Said::that("the store was moved to %1").with("x:1"));
+    EXPECT_EQ(moved.find("x:1"), std::string::npos);
+    EXPECT_NE(moved.find("You may not see this."), std::string::npos);
 }
 
 TEST(WebWords, ALanguageGoesWithItsThreadAndEnds) {

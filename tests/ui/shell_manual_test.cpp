@@ -10,6 +10,7 @@
 #include <set>
 
 #include "shell_harness.h"
+#include "store_sentences.h"
 #include "ui/shell/manual.h"
 #include "ui/shell/metric_words.h"
 #include "ui/shell/parts.h"

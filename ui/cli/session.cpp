@@ -9,6 +9,7 @@
 #include <charconv>
 
 #include "db/password.h"
+#include "db/said.h"
 #include "db/store_url.h"
 #include "sim/core/near_word.h"
 
@@ -133,7 +134,7 @@ bool Session::may(db::Action action, db::Scope scope) const {
 }
 
 void Session::need(db::Action action, db::Scope scope) const {
-    if (!may(action, scope)) throw AccessError(user_->login + ": " + db::refusal(action));
+    if (!may(action, scope)) throw AccessError(user_->login + ": " + db::refusal(action).english());
 }
 
 void Session::need_for(db::Action action, int64_t subject) const {

@@ -16,6 +16,7 @@
 #include <QTranslator>
 #include <QUrl>
 
+#include "db/said.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
@@ -114,7 +115,7 @@ bool AppContext::knowsPassword(int64_t user_id) const {
 
 void AppContext::require(db::Action action, db::Scope scope) const {
     if (!may(action, scope))
-        throw db::StoreError(db::StoreError::Kind::kRefused, db::refusal(action));
+        throw db::StoreError(db::StoreError::Kind::kRefused, "", db::refusal(action));
 }
 
 void AppContext::audit(const char* action, const QString& object, const QString& detail) {

@@ -184,7 +184,7 @@ std::vector<Leftover> find_leftovers(const QString& folder, Depth depth,
                 fill_in(leftover, recovered.recording.header, recovered.recording.end);
             }
         } catch (const db::StoreError& error) {
-            leftover.problem = QString::fromUtf8(error.what());
+            leftover.problem = error;
         }
         found.push_back(std::move(leftover));
     }

@@ -51,8 +51,8 @@ struct Leftover {
     bool complete = false;  ///< The recording has an end: only the saving failed.
     QString started_utc;
     QString task;
-    QString damage;   ///< Not empty: what of it is damaged and how much is whole.
-    QString problem;  ///< Not empty: cannot be read at all, and why.
+    QString damage;  ///< Not empty: what of it is damaged and how much is whole.
+    std::optional<db::StoreError> problem;  ///< Why it cannot be read at all.
 };
 
 /// Folder for recordings of a store: beside an embedded one, else in the user's data folder.

@@ -12,6 +12,7 @@
 #include "haptics/device.h"
 #include "reports/people_file.h"
 #include "reports/report.h"
+#include "reports/words.h"
 #include "ui/shell/attempt_launcher.h"
 #include "ui/shell/parts.h"
 
@@ -50,7 +51,7 @@ QString file_way_out(const QString& said, const QString& otherwise) {
 
 void describe_store(const db::StoreError& error, const QString& doing, Problem& problem) {
     using Kind = db::StoreError::Kind;
-    const QString words = store_words(problem.detail);
+    const QString words = error.said() == nullptr ? QString() : reports::said_words(*error.said());
     switch (error.kind()) {
         case Kind::kLocked:
             problem.title = Messages::tr("The store is locked by another program.");
@@ -77,8 +78,7 @@ void describe_store(const db::StoreError& error, const QString& doing, Problem& 
             return;
         case Kind::kRefused:
             problem.title = Messages::tr("This was refused.");
-            // What the catalogue does not know is told in the store's own English.
-            problem.way_out = words.isEmpty() ? store_sentence(problem.detail) : words;
+            problem.way_out = words.isEmpty() ? nothing_lost() : words;
             return;
         case Kind::kConflict:
             problem.title = Messages::tr("This is taken, or was done already.");
@@ -270,18 +270,19 @@ Problem simulator_problem(const ProgramEnd& end) {
     return problem;
 }
 
-Problem recording_problem(const QString& said, bool readable_in_part) {
-    if (readable_in_part)
-        return {Messages::tr("A part of the recording is damaged; what is whole can be saved."),
-                {},
-                said,
-                false};
-    const QString words = store_words(said);
-    return {
-        words.isEmpty() ? Messages::tr("The recording is damaged and cannot be scored.") : words,
-        {},
-        said,
-        false};
+Problem recording_problem(const db::StoreError& error) {
+    return {error.said() == nullptr ? Messages::tr("The recording is damaged and cannot be scored.")
+                                    : reports::said_words(*error.said()),
+            {},
+            QString::fromUtf8(error.what()),
+            false};
+}
+
+Problem damaged_part(const QString& damage) {
+    return {Messages::tr("A part of the recording is damaged; what is whole can be saved."),
+            {},
+            damage,
+            false};
 }
 
 Problem health_problem(const QString& line) {

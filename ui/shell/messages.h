@@ -6,7 +6,6 @@
 // shows it behind "Details".
 
 #include <QString>
-#include <QStringList>
 #include <exception>
 
 #include "db/store.h"
@@ -47,19 +46,12 @@ struct ProgramEnd {
 };
 [[nodiscard]] Problem simulator_problem(const ProgramEnd& end);
 
-/// A recording that cannot be read, or only in part; `said` is the file's own complaint.
-[[nodiscard]] Problem recording_problem(const QString& said, bool readable_in_part);
+/// A recording that cannot be read.
+[[nodiscard]] Problem recording_problem(const db::StoreError& error);
+/// One that can be read in part; `damage` is the file's own complaint.
+[[nodiscard]] Problem damaged_part(const QString& damage);
 
 /// A line of the store's check.
 [[nodiscard]] Problem health_problem(const QString& line);
-
-/// The store's sentence ("set_pin sqlite:/x: the PIN is too easy") as the reader may see it,
-/// without operation and place and in the reader's language. Empty when the catalogue does not know
-/// it.
-[[nodiscard]] QString store_words(const QString& said);
-/// The same sentence in English, without operation and place.
-[[nodiscard]] QString store_sentence(const QString& said);
-/// All sentences of the store that the catalogue knows, %1 to %3 for what varies. For a test.
-[[nodiscard]] QStringList store_sentences();
 
 }  // namespace placode::ui

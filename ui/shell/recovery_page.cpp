@@ -55,19 +55,18 @@ class RecoveryPage : public Page {
             (leftover.order->user_id != context_.user().id || !leftover.order->study.isEmpty()))
             layout->addWidget(
                 make_label(tr("Belongs to %1.").arg(leftover.order->user_name), "muted"));
-        if (!leftover.problem.isEmpty())
-            layout->addWidget(
-                make_label(recording_problem(leftover.problem, false).title, "critical"));
+        if (leftover.problem)
+            layout->addWidget(make_label(recording_problem(*leftover.problem).title, "critical"));
         else if (!leftover.damage.isEmpty())
-            layout->addWidget(make_label(recording_problem(leftover.damage, true).title, "warn"));
+            layout->addWidget(make_label(damaged_part(leftover.damage).title, "warn"));
         QComboBox* owner = nullptr;
-        if (!leftover.order && leftover.problem.isEmpty()) {
+        if (!leftover.order && !leftover.problem) {
             owner = ownerChooser();
             layout->addLayout(make_field(tr("Nobody knows whose it is. Save it for"), owner));
         }
         QStringList exact{leftover.recording_file};
-        for (const QString& said : {leftover.problem, leftover.damage})
-            if (!said.isEmpty()) exact << said;
+        if (leftover.problem) exact << QString::fromUtf8(leftover.problem->what());
+        if (!leftover.damage.isEmpty()) exact << leftover.damage;
         if (keepsExam(leftover))
             layout->addWidget(
                 make_label(tr("This is an exam: it is saved and uses up this attempt."), "warn"));
@@ -79,12 +78,12 @@ class RecoveryPage : public Page {
     /// Its case was seen: nobody throws an exam away, or begins the next one beside it.
     [[nodiscard]] static bool keepsExam(const Leftover& leftover) {
         return leftover.order && leftover.order->mode() == curriculum::AttemptMode::kExam &&
-               leftover.problem.isEmpty();
+               !leftover.problem;
     }
 
     [[nodiscard]] static QString headline(const Leftover& leftover) {
         const QString when = format_clock(leftover.started_utc);
-        if (!leftover.problem.isEmpty())
+        if (leftover.problem)
             return when.isEmpty() ? tr("A recording") : tr("Recording of %1").arg(when);
         const QString length = format_duration(leftover.duration_s);
         return leftover.complete
@@ -107,7 +106,7 @@ class RecoveryPage : public Page {
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace12);
         const QString file = leftover.recording_file;
-        if (leftover.problem.isEmpty()) {
+        if (!leftover.problem) {
             QPushButton* save = make_button(context_, tr("Save"), "primary", "check");
             save->setObjectName(QString("recover_save_%1").arg(index));
             save->setEnabled(owner == nullptr || owner->count() > 0);

@@ -89,7 +89,7 @@ QString TaskExam::confirmedProctor() {
 
 void TaskExam::refuseBesideLeftExam() const {
     for (const Leftover& left : find_leftovers(context_.recordingsFolder(), Depth::kLength)) {
-        if (!left.order || !left.problem.isEmpty() || left.duration_s <= 0) continue;
+        if (!left.order || left.problem || left.duration_s <= 0) continue;
         if (left.order->user_id == context_.user().id && left.order->exam.course_id == course_ &&
             left.order->exam.stage_id == stage_->id)
             throw Refusal(

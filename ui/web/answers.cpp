@@ -2,30 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/web/answers.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 
+#include "db/access.h"
 #include "ui/web/words.h"
 
 namespace placode::web {
 namespace {
 
-/// "you may not ...; an educator can" without what was being done and where the store lies, in the
-/// words that the shell has for it.
+/// "You may not ...; an educator can.": not what was being done and where the store lies, as other
+/// refusals say.
 Text refusal_words(const db::StoreError& error) {
-    const std::string said = error.what(), before = "you may not ", between = "; ", after = " can";
-    const size_t begin = said.find(before), middle = said.find(between, begin);
-    const size_t end = said.rfind(after);
-    if (begin == std::string::npos || middle == std::string::npos || end == std::string::npos ||
-        end < middle + between.size())
-        return say("You may not see this.");
-    const auto rights = [](const std::string& english) {
-        return QCoreApplication::translate("Rights", english.c_str());
-    };
-    const size_t what = begin + before.size(), who = middle + between.size();
-    return text(
-        rights("You may not %1; %2 can.")
-            .arg(rights(said.substr(what, middle - what)), rights(said.substr(who, end - who))));
+    return error.said() == nullptr || !db::is_about_rights(*error.said())
+               ? say("You may not see this.")
+               : text(reports::said_words(*error.said()));
 }
 
 }  // namespace

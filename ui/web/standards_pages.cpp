@@ -37,7 +37,7 @@ Text level_words(const std::string& level) {
 /// Norms are for who sets standards: the page of the shell asks the same.
 void need_educator(const Visit& visit) {
     if (!visit.may(db::Action::kSetStandards))
-        throw db::StoreError(db::StoreError::Kind::kRefused,
+        throw db::StoreError(db::StoreError::Kind::kRefused, "",
                              db::refusal(db::Action::kSetStandards));
 }
 

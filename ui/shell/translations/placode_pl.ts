@@ -10139,7 +10139,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
 </context>
 <context>
-    <name>Rights</name>
+    <name>Said</name>
     <message>
         <source>perform an attempt</source>
         <translation>wykonać próby</translation>
@@ -10293,12 +10293,9 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>administrator, nie ta osoba</translation>
     </message>
     <message>
-        <source>You may not %1; %2 can.</source>
-        <translation>Nie możesz %1; może to zrobić %2.</translation>
+        <source>you may not %1; %2 can</source>
+        <translation>nie możesz %1; może to zrobić %2</translation>
     </message>
-</context>
-<context>
-    <name>StoreWords</name>
     <message>
         <source>there is an account already; sign in to it</source>
         <translation>jest już konto; zaloguj się na nie</translation>
@@ -10706,6 +10703,18 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>on a server the centre&apos;s key is sealed and changed with the log-in of the tables&apos; owner; let an administrator run `placodectl norms key seal` with it</source>
         <translation>na serwerze klucz ośrodka zabezpiecza i zmienia się loginem właściciela tabel; niech administrator uruchomi nim `placodectl norms key seal`</translation>
+    </message>
+    <message>
+        <source>the passphrase is too short; expected at least %1 characters, four words are good</source>
+        <translation>hasło klucza jest za krótkie; potrzeba co najmniej %1 znaków, dobre są cztery słowa</translation>
+    </message>
+    <message>
+        <source>the attempts were scored under different rubrics; rescore them under one first</source>
+        <translation>próby oceniono według różnych kryteriów; najpierw oceń je ponownie według jednych</translation>
+    </message>
+    <message>
+        <source>only an embedded store is restored from a file; use pg_restore on the server</source>
+        <translation>z pliku przywraca się tylko bazę, która sama jest plikiem; na serwerze użyj pg_restore</translation>
     </message>
 </context>
 <context>
