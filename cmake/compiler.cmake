@@ -217,12 +217,13 @@ function(placode_ui_programs)
   # The .ts must exist at configure time: otherwise Qt 6.4 makes an empty one and everything stays
   # English. It is committed; `ninja placode_shell_lupdate` brings it up to date.
   # Without line numbers, or every change of a page would touch thousands of its lines.
-  # What the store says stands in its sources: `Said::that("...")`. Of the other folders' words there are lists
-  # (translatable_strings.cpp).
-  file(GLOB texts CONFIGURE_DEPENDS ui/shell/*.cpp ui/shell/*.h db/*.cpp db/*.h)
+  # What store and portal say stands in their sources: `Said::that("...")`, `Web::phrase("...")`, and with a number
+  # `Web::count_phrase("%n attempt(s)", n)`. Of the other folders' words there are lists (translatable_strings.cpp).
+  file(GLOB texts CONFIGURE_DEPENDS ui/shell/*.cpp ui/shell/*.h db/*.cpp db/*.h ui/web/*.cpp ui/web/*.h)
+  set(markers tr+=that,tr+=phrase,tr+=plain_phrase,QT_TR_N_NOOP+=count_phrase,QT_TR_N_NOOP+=plain_count_phrase)
   qt_add_translations(placode_shell TS_FILES ui/shell/translations/placode_pl.ts RESOURCE_PREFIX /i18n
     SOURCES ${texts} INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR}
-    LUPDATE_OPTIONS -locations none -no-obsolete -tr-function-alias tr+=that)
+    LUPDATE_OPTIONS -locations none -no-obsolete -tr-function-alias ${markers})
   # English is the source language: its file holds singular and plural of counted nouns (%n) only.
   # Apart from the other: lupdate would fill it with every string.
   set(english_ts ${PROJECT_SOURCE_DIR}/ui/shell/translations/placode_en.ts)
@@ -249,14 +250,18 @@ function(placode_ui_programs)
   add_library(placode_web STATIC ${web_sources})
   target_link_libraries(placode_web PUBLIC placode_reports placode_lti PkgConfig::HTTPLIB)
   placode_precompile(placode_web <QPainter> <QString>)
-  # The reports' words in Polish are the shell's; under a name of its own, because one file has one rule.
-  set(polish_ts ${PROJECT_SOURCE_DIR}/ui/shell/translations/placode_pl.ts)
-  set(polish ${CMAKE_CURRENT_BINARY_DIR}/web/placode_pl.qm)
-  add_custom_command(OUTPUT ${polish} COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/web
-    COMMAND Qt6::lrelease -silent ${polish_ts} -qm ${polish} DEPENDS ${polish_ts} VERBATIM)
+  # The portal's words and the reports' stand in the shell's files; under names of their own, because one file has one rule.
+  set(words)
+  foreach(language en pl)
+    set(ts ${PROJECT_SOURCE_DIR}/ui/shell/translations/placode_${language}.ts)
+    set(qm ${CMAKE_CURRENT_BINARY_DIR}/web/placode_${language}.qm)
+    add_custom_command(OUTPUT ${qm} COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/web
+      COMMAND Qt6::lrelease -silent ${ts} -qm ${qm} DEPENDS ${ts} VERBATIM)
+    list(APPEND words ${qm})
+  endforeach()
   file(GLOB review_scripts CONFIGURE_DEPENDS ui/web/review/*.js)
   qt_add_resources(placode_web placode_web_review PREFIX /web BASE ${PROJECT_SOURCE_DIR}/ui/web FILES ${review_scripts})
-  qt_add_resources(placode_web placode_web_polish PREFIX /i18n BASE ${CMAKE_CURRENT_BINARY_DIR}/web FILES ${polish})
+  qt_add_resources(placode_web placode_web_words PREFIX /i18n BASE ${CMAKE_CURRENT_BINARY_DIR}/web FILES ${words})
   placode_program(placode-web SOURCES ui/web/main.cpp LINK placode_web placode_diagnostics placode_version CLI11::CLI11)
   placode_optimise_little(placode_shell placodectl placode_lti placode_web)
   placode_several_at_once(placode_shell placode_attempt placode_web placodectl)

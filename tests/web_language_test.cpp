@@ -6,6 +6,7 @@
 #include <regex>
 #include <set>
 
+#include "tests/portal_words.h"
 #include "tests/web_world.h"
 #include "ui/web/words.h"
 
@@ -19,11 +20,12 @@ class WebLanguageTest : public WebTest {
         WebTest::ready();
         fill_for_pages(*open(), people);
         std::set<std::string> polish, english;
-        for (const web::Polish& each : web::polish_table()) {
-            english.emplace(without_meaning(each.english));
-            for (const std::string_view form : {each.polish, each.few, each.many})
-                polish.emplace(form);
+        for (const PortalWords& each : portal_words("pl")) {
+            if (!each.counted) english.emplace(without_meaning(each.english));
+            for (const std::string& form : each.forms) polish.insert(form);
         }
+        for (const PortalWords& each : portal_words("en"))
+            for (const std::string& form : each.forms) english.insert(form);
         polish.insert("Placode");  // The program's name is the same; the part of the body is not.
         for (const std::string& each : english) no_polish_page_has.add(each, polish);
         for (const std::string& each : polish) no_english_page_has.add(each, english);

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "db/access.h"
+#include "tests/portal_words.h"
 #include "ui/web/answers.h"
 
 namespace placode::web {
@@ -31,37 +32,33 @@ std::string literals(const std::string& code, size_t& at) {
 }
 
 struct Used {
-    std::set<std::string> plain;
-    std::set<std::pair<std::string, std::string>> counted;  ///< One, many.
+    std::set<std::string> plain, counted;
 };
 
-/// What say(), words() and their counting sisters are called with.
+/// What the functions of class Web are called with.
 void read_calls(const std::string& code, const std::string& file, Used& used) {
-    for (const std::string call : {"say(", "words(", "say_count(", "words_count("})
-        for (size_t found = code.find(call); found != std::string::npos;
-             found = code.find(call, found + 1)) {
-            const char before = found == 0 ? ' ' : code[found - 1];
-            if (std::isalnum(static_cast<unsigned char>(before)) || before == '_') continue;
-            size_t at = found + call.size();
-            if (call.ends_with("count(")) {
-                at = code.find('"', at);
-                const std::string one = literals(code, at);
-                ASSERT_EQ(code[at++], ',') << file << ": " << one;
-                used.counted.emplace(one, literals(code, at));
-            } else {
-                const std::string text = literals(code, at);
-                EXPECT_FALSE(text.empty()) << file << ": " << code.substr(found, 60);
-                used.plain.insert(text);
-            }
-        }
+    const std::string before = "Web::";
+    for (size_t found = code.find(before); found != std::string::npos;
+         found = code.find(before, found + 1)) {
+        size_t at = code.find('(', found);
+        const std::string call = code.substr(found + before.size(), at - found - before.size());
+        ++at;
+        const std::string text = literals(code, at);
+        EXPECT_FALSE(text.empty()) << file << ": " << code.substr(found, 60);
+        if (call == "phrase" || call == "plain_phrase")
+            used.plain.insert(text);
+        else if (call == "count_phrase" || call == "plain_count_phrase")
+            used.counted.insert(text);
+        else
+            ADD_FAILURE() << file << ": the translation tool does not know " << before << call;
+    }
 }
 
 Used used_in_the_source() {
     Used used;
     for (const auto& entry : std::filesystem::directory_iterator(PLACODE_SOURCE_DIR "/ui/web")) {
         const std::string name = entry.path().filename().string();
-        if (entry.path().extension() != ".cpp" || name == "words.cpp" || name == "polish.cpp")
-            continue;
+        if (entry.path().extension() != ".cpp" || name == "words.cpp") continue;
         std::ifstream in(entry.path());
         std::stringstream code;
         code << in.rdbuf();
@@ -70,47 +67,63 @@ Used used_in_the_source() {
     return used;
 }
 
-/// "%1", "%2" in the order of the alphabet.
+/// "%1", "%2", "%n" in the order of the alphabet.
 std::multiset<std::string> places_of(std::string_view text) {
     std::multiset<std::string> places;
     for (size_t at = text.find('%'); at != std::string_view::npos; at = text.find('%', at + 1))
-        if (at + 1 < text.size() && text[at + 1] >= '1' && text[at + 1] <= '9')
+        if (at + 1 < text.size() &&
+            ((text[at + 1] >= '1' && text[at + 1] <= '9') || text[at + 1] == 'n'))
             places.emplace(text.substr(at, 2));
     return places;
+}
+
+/// Texts of a language's file, each once, finished, with as many forms as the language has and with
+/// the places of the English.
+std::set<std::string> checked(const std::string& language, bool counted, size_t forms) {
+    std::set<std::string> found;
+    for (const test::PortalWords& each : test::portal_words(language)) {
+        if (each.counted != counted) continue;
+        EXPECT_TRUE(found.insert(each.english).second) << "twice: " << each.english;
+        EXPECT_EQ(each.forms.size(), forms) << each.english;
+        for (const std::string& form : each.forms) {
+            EXPECT_FALSE(form.empty()) << each.english;
+            EXPECT_EQ(form.find('@'), std::string::npos) << form;
+            EXPECT_EQ(places_of(form), places_of(each.english)) << each.english;
+        }
+    }
+    return found;
+}
+
+void expect_the_same(const std::set<std::string>& used, const std::set<std::string>& there) {
+    for (const std::string& english : used)
+        EXPECT_TRUE(there.contains(english)) << "has no words: " << english;
+    for (const std::string& english : there)
+        EXPECT_TRUE(used.contains(english)) << "is used nowhere: " << english;
 }
 
 TEST(WebWords, EveryTextHasItsPolishAndNoneIsLeftOver) {
     const Used used = used_in_the_source();
     EXPECT_GE(used.plain.size(), 250U);
     EXPECT_GE(used.counted.size(), 10U);
-    std::set<std::string> plain, counted;
-    for (const Polish& each : polish_table()) {
-        std::set<std::string>& kind = each.many.empty() ? plain : counted;
-        EXPECT_TRUE(kind.emplace(each.english).second) << "twice: " << each.english;
-        EXPECT_EQ(each.few.empty(), each.many.empty()) << each.english;
-        EXPECT_FALSE(each.polish.empty()) << each.english;
-        EXPECT_EQ(each.polish.find('@'), std::string_view::npos) << each.polish;
-        const auto places = places_of(each.english);
-        EXPECT_EQ(places_of(each.polish), places) << each.english;
-        if (each.many.empty()) continue;
-        EXPECT_EQ(places_of(each.few), places) << each.english;
-        EXPECT_EQ(places_of(each.many), places) << each.english;
-    }
-    for (const std::string& english : used.plain)
-        EXPECT_TRUE(plain.contains(english)) << "has no Polish: " << english;
-    for (const std::string& english : plain)
-        EXPECT_TRUE(used.plain.contains(english)) << "is used nowhere: " << english;
-    std::set<std::string> many_forms;
-    for (const auto& [one, many] : used.counted) {
-        many_forms.insert(many);
-        EXPECT_TRUE(counted.contains(many)) << "has no Polish: " << many;
-        EXPECT_EQ(places_of(one), places_of(many)) << one;
-    }
-    for (const std::string& english : counted)
-        EXPECT_TRUE(many_forms.contains(english)) << "is used nowhere: " << english;
+    expect_the_same(used.plain, checked("pl", false, 1));
+    expect_the_same(used.counted, checked("pl", true, 3));
+    // English stands in the source, but for the forms of counted nouns.
+    expect_the_same(used.counted, checked("en", true, 2));
+    expect_the_same({}, checked("en", false, 1));
 }
 
-std::string accounts(int number) { return words_count(number, "%1 account", "%1 accounts"); }
+// What the source's files say is what the program was built with.
+TEST(WebWords, TheProgramHasThem) {
+    const reports::Speaking polish(locale_of("pl"));
+    for (const test::PortalWords& each : test::portal_words("pl")) {
+        if (each.counted)
+            EXPECT_NE(inside::counted(each.english.c_str(), 1).find('1'), std::string::npos);
+        else
+            EXPECT_EQ(inside::translated(each.english.c_str()), each.forms.at(0));
+    }
+}
+
+std::string accounts(int number) { return Web::plain_count_phrase("%n account(s)", number); }
 
 TEST(WebWords, NumbersHaveTheirForm) {
     const reports::Speaking english(locale_of("en"));
@@ -127,16 +140,17 @@ TEST(WebWords, NumbersHaveTheirForm) {
 
 TEST(WebWords, WhatIsFilledInIsEscapedOnceAndHasNoPlaces) {
     const reports::Speaking polish(locale_of("pl"));
-    EXPECT_EQ(say("Attempts of %1", text(std::string_view("<%1> & \"x\""))).escaped_text,
+    EXPECT_EQ(Web::phrase("Attempts of %1", text(std::string_view("<%1> & \"x\""))).escaped_text,
               "Próby: &lt;%1&gt; &amp; &quot;x&quot;");
-    EXPECT_EQ(words("open@record"), "otwarty");
+    EXPECT_EQ(Web::plain_phrase("open@record"), "otwarty");
     const reports::Speaking english(locale_of("en"));
-    EXPECT_EQ(words("open@record"), "open");
-    EXPECT_EQ(say("Bands of persons' means, never of fewer than %1 people and never a single "
-                  "attempt, signed by their centre.",
-                  text(5))
-                  .escaped_text.substr(0, 22),
-              "Bands of persons&#39; ");
+    EXPECT_EQ(Web::plain_phrase("open@record"), "open");
+    EXPECT_EQ(
+        Web::phrase("Bands of persons' means, never of fewer than %1 people and never a single "
+                    "attempt, signed by their centre.",
+                    text(5))
+            .escaped_text.substr(0, 22),
+        "Bands of persons&#39; ");
 }
 
 TEST(WebWords, ARefusalSaysWhoMayAndNoAddress) {

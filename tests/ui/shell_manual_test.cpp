@@ -60,7 +60,10 @@ QString unescaped(QString text) {
 /// What can stand on the screen of the shell and of the simulator.
 std::set<QString> words_on_screen(const QString& language) {
     std::set<QString> words{"pL", "eN"};  // the buttons of the languages
-    const QString strings = source("ui/shell/translations/placode_pl.ts");
+    // The portal's are on other screens.
+    static const QRegularExpression kPortal("<name>Web</name>.*?</context>",
+                                            QRegularExpression::DotMatchesEverythingOption);
+    const QString strings = source("ui/shell/translations/placode_pl.ts").remove(kPortal);
     const char* element =
         language == "en" ? "<source>([^<]*)</source>" : "<(?:translation|numerusform)>([^<]*)</";
     for (const QString& text : all_of(strings, element)) words.insert(as_words(unescaped(text)));

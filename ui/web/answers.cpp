@@ -14,7 +14,7 @@ namespace {
 /// refusals say.
 Text refusal_words(const db::StoreError& error) {
     return error.said() == nullptr || !db::is_about_rights(*error.said())
-               ? say("You may not see this.")
+               ? Web::phrase("You may not see this.")
                : text(reports::said_words(*error.said()));
 }
 
@@ -50,7 +50,8 @@ Answer redirect(const std::string& to) {
 Answer message(int status, const Text& title, const Html& words, const Reader& reader) {
     Html body;
     body << "<h1>" << title << "</h1>\n<p>" << words << "</p>\n";
-    if (reader.user != nullptr) body << "<p>" << link("/", say("Back to my page")) << "</p>\n";
+    if (reader.user != nullptr)
+        body << "<p>" << link("/", Web::phrase("Back to my page")) << "</p>\n";
     Answer answer;
     answer.status = status;
     answer.body = document(title, body, reader);
@@ -61,38 +62,44 @@ Answer trouble(const db::StoreError& error, const Reader& reader) {
     using Kind = db::StoreError::Kind;
     switch (error.kind()) {
         case Kind::kRefused:
-            return message(403, say("Not for you"), refusal_words(error), reader);
+            return message(403, Web::phrase("Not for you"), refusal_words(error), reader);
         case Kind::kNotFound:
-            return message(404, say("Not there"),
-                           say("What this page is about is not in the store."), reader);
+            return message(404, Web::phrase("Not there"),
+                           Web::phrase("What this page is about is not in the store."), reader);
         case Kind::kLocked:
         case Kind::kUnavailable:
-            return message(503, say("Not now"),
-                           say("The store cannot be reached at the moment. Try again."), reader);
-        default:
-            return message(500, say("Something is wrong"),
-                           say("The store cannot be read. Whoever runs this computer finds the "
-                               "reason in the program's log."),
+            return message(503, Web::phrase("Not now"),
+                           Web::phrase("The store cannot be reached at the moment. Try again."),
                            reader);
+        default:
+            return message(
+                500, Web::phrase("Something is wrong"),
+                Web::phrase("The store cannot be read. Whoever runs this computer finds the "
+                            "reason in the program's log."),
+                reader);
     }
 }
 
 Answer fault(const Reader& reader) {
     return message(
-        500, say("Something is wrong"),
-        say("The page could not be made. Whoever runs this computer finds the reason in the "
+        500, Web::phrase("Something is wrong"),
+        Web::phrase(
+            "The page could not be made. Whoever runs this computer finds the reason in the "
             "program's log."),
         reader);
 }
 
 Answer refusal(int status) {
-    if (status == 404) return message(404, say("Not there"), say("There is no such page."));
+    if (status == 404)
+        return message(404, Web::phrase("Not there"), Web::phrase("There is no such page."));
     if (status == 405)
-        return message(405, say("For reading only"), say("Nothing can be sent to this page."));
+        return message(405, Web::phrase("For reading only"),
+                       Web::phrase("Nothing can be sent to this page."));
     if (status == 413 || status == 414)
-        return message(status, say("Too long"),
-                       say("The request is longer than any page asks for."));
-    return message(status, say("Not understood"), say("The request cannot be read."));
+        return message(status, Web::phrase("Too long"),
+                       Web::phrase("The request is longer than any page asks for."));
+    return message(status, Web::phrase("Not understood"),
+                   Web::phrase("The request cannot be read."));
 }
 
 std::string cookie_of(const std::string& header, const std::string& name) {

@@ -26,8 +26,8 @@ reports::LedgerPicture ledger_of(const db::AttemptDetail& detail, const reports:
 
 Html entry_words(const assessment::LedgerEntry& entry) {
     Html what = text(reports::ledger_words(entry));
-    if (entry.has_place) what << ", " << say("%1 o'clock", text(entry.hour));
-    if (entry.critical) what << " " << badge(say("critical"), Tone::kCritical);
+    if (entry.has_place) what << ", " << Web::phrase("%1 o'clock", text(entry.hour));
+    if (entry.critical) what << " " << badge(Web::phrase("critical"), Tone::kCritical);
     return what;
 }
 

@@ -20,18 +20,17 @@ Html list(const Visit& visit, db::AttemptFilter filter, const std::string& path,
     }
     Html out;
     if (page.rows.empty())
-        out << "<p class=\"muted\">" << say("There are no attempts here.") << "</p>";
+        out << "<p class=\"muted\">" << Web::phrase("There are no attempts here.") << "</p>";
     else
-        out << attempts_table(
-                   visit,
-                   say_count(page.total, "%1 attempt, newest first", "%1 attempts, newest first"),
-                   page.rows, with_person)
+        out << attempts_table(visit, Web::count_phrase("%n attempt(s), newest first", page.total),
+                              page.rows, with_person)
             << pager(part, path, std::move(asked));
     return out;
 }
 
 Choice task_choice(const Visit& visit, const std::vector<std::string>& tasks) {
-    Choice choice{"task", say("Task"), visit.asked("task"), {{"", say("All tasks")}}};
+    Choice choice{
+        "task", Web::phrase("Task"), visit.asked("task"), {{"", Web::phrase("All tasks")}}};
     for (const std::string& task : tasks)
         choice.values.emplace_back(task, text(visit.tasks.of(task).title));
     return choice;
@@ -45,29 +44,29 @@ PageText attempts_page(const Visit& visit) {
     filter.task_id = visit.asked("task");
     const std::vector<std::string> tasks = visit.store.attempts().tasks();
     Html body;
-    body << "<h1>" << say("Attempts") << "</h1>\n"
+    body << "<h1>" << Web::phrase("Attempts") << "</h1>\n"
          << choices("/attempts", {group_choice(visit), task_choice(visit, tasks)})
          << "<section class=\"card\">"
          << list(visit, filter, "/attempts",
                  {{"group", visit.asked("group")}, {"task", filter.task_id}}, true)
          << "</section>\n";
-    return {say("Attempts"), body};
+    return {Web::phrase("Attempts"), body};
 }
 
 PageText persons_attempts_page(const Visit& visit) {
     const auto user = visit.store.accounts().find(visit.id());
-    if (!user) throw NotThere(words("There is no such person."));
+    if (!user) throw NotThere(Web::plain_phrase("There is no such person."));
     db::AttemptFilter filter;
     filter.user_id = user->id;
     filter.task_id = visit.asked("task");
     const std::string path = "/people/" + std::to_string(user->id);
     const std::string name = name_or_number(user->display_name, user->id);
     Html body;
-    const Text title = say("Attempts of %1", text(name));
+    const Text title = Web::phrase("Attempts of %1", text(name));
     body << "<h1>" << title << "</h1><p>" << link(path, text(name));
     if (!filter.task_id.empty())
-        body << " · " << say("%1 only", text(visit.tasks.of(filter.task_id).title)) << " · "
-             << link(path + "/attempts", say("all tasks"));
+        body << " · " << Web::phrase("%1 only", text(visit.tasks.of(filter.task_id).title)) << " · "
+             << link(path + "/attempts", Web::phrase("all tasks"));
     body << "</p>\n<section class=\"card\">"
          << list(visit, filter, path + "/attempts", {{"task", filter.task_id}}, false)
          << "</section>\n";

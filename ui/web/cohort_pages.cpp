@@ -63,11 +63,11 @@ Html head(const Visit& visit, const Text& title, const std::string& path,
     const std::string same = query({{"group", visit.asked("group")}});
     Html out;
     out << "<h1>" << title << "</h1>\n"
-        << views(say("Cohort"), path + same,
-                 {{"/cohort" + same, say("People by tasks")},
-                  {"/help" + same, say("Who needs help")},
-                  {"/refreshers" + same, say("Due for a refresher")},
-                  {"/scores" + same, say("Scores of a task")}})
+        << views(Web::phrase("Cohort"), path + same,
+                 {{"/cohort" + same, Web::phrase("People by tasks")},
+                  {"/help" + same, Web::phrase("Who needs help")},
+                  {"/refreshers" + same, Web::phrase("Due for a refresher")},
+                  {"/scores" + same, Web::phrase("Scores of a task")}})
         << choices(path, all);
     return out;
 }
@@ -110,18 +110,17 @@ Html curve_link(const Visit& visit, const db::TaskStanding& standing) {
 
 PageText cohort_page(const Visit& visit) {
     const Cohort cohort = read_cohort(visit);
-    Html body = head(visit, say("Cohort"), "/cohort", {});
+    Html body = head(visit, Web::phrase("Cohort"), "/cohort", {});
     if (cohort.people.empty()) {
-        body << "<p class=\"muted\">" << say("Nobody here has an attempt that counts.") << "</p>";
-        return {say("Cohort"), body};
+        body << "<p class=\"muted\">" << Web::phrase("Nobody here has an attempt that counts.")
+             << "</p>";
+        return {Web::phrase("Cohort"), body};
     }
     const Part part = part_of(visit, static_cast<int64_t>(cohort.people.size()));
-    std::vector<Column> columns{{say("Person")}, {say("Last seen")}};
+    std::vector<Column> columns{{Web::phrase("Person")}, {Web::phrase("Last seen")}};
     for (const std::string& task : cohort.tasks)
         columns.push_back({text(visit.tasks.of(task).title)});
-    Table table(
-        say_count(cohort.people.size(), "%1 person with attempts", "%1 people with attempts"),
-        columns);
+    Table table(Web::count_phrase("%n person(s) with attempts", cohort.people.size()), columns);
     for (int64_t i = part.first; i < part.past; ++i) {
         const Person& person = cohort.people[static_cast<size_t>(i)];
         std::vector<Html> cells{link("/people/" + std::to_string(person.id), text(person.name)),
@@ -131,8 +130,8 @@ PageText cohort_page(const Visit& visit) {
     }
     body << "<section class=\"card\">" << table.html()
          << pager(part, "/cohort", {{"group", visit.asked("group")}}) << "<p class=\"small\">"
-         << say("Last score, standing and number of attempts.") << "</p></section>\n";
-    return {say("Cohort"), body};
+         << Web::phrase("Last score, standing and number of attempts.") << "</p></section>\n";
+    return {Web::phrase("Cohort"), body};
 }
 
 PageText help_page(const Visit& visit) {
@@ -147,17 +146,17 @@ PageText help_page(const Visit& visit) {
     }
     const size_t stuck = list.size();
     list.insert(list.end(), regressed.begin(), regressed.end());
-    Html body = head(visit, say("Who needs help"), "/help", {});
+    Html body = head(visit, Web::phrase("Who needs help"), "/help", {});
     const Part part = part_of(visit, static_cast<int64_t>(list.size()));
-    Table table(say("%1 stuck, %2 regressed; who is stuck stands first", text(stuck),
-                    text(regressed.size())),
-                {{say("Person")},
-                 {say("Task")},
-                 {say("Standing")},
-                 {say("Last"), true},
-                 {say("Best"), true},
-                 {say("Attempts"), true},
-                 {say("Last on")}});
+    Table table(Web::phrase("%1 stuck, %2 regressed; who is stuck stands first", text(stuck),
+                            text(regressed.size())),
+                {{Web::phrase("Person")},
+                 {Web::phrase("Task")},
+                 {Web::phrase("Standing")},
+                 {Web::phrase("Last"), true},
+                 {Web::phrase("Best"), true},
+                 {Web::phrase("Attempts"), true},
+                 {Web::phrase("Last on")}});
     for (const db::TaskStanding& each : part_of_list(list, part))
         table.row({person_link(each), curve_link(visit, each),
                    standing_badge(assessment::judge_standing(each.trials).standing),
@@ -165,71 +164,75 @@ PageText help_page(const Visit& visit) {
                    day(each.last_utc)});
     body << "<section class=\"card\">";
     if (list.empty())
-        body << "<p>" << say("Nobody is stuck or regressed.") << "</p>";
+        body << "<p>" << Web::phrase("Nobody is stuck or regressed.") << "</p>";
     else
         body << table.html() << pager(part, "/help", {{"group", visit.asked("group")}});
     body << "<p class=\"small\">" << standings_explained() << " "
-         << say("It points at people to look at and does not judge them.") << "</p></section>\n";
-    return {say("Who needs help"), body};
+         << Web::phrase("It points at people to look at and does not judge them.")
+         << "</p></section>\n";
+    return {Web::phrase("Who needs help"), body};
 }
 
 PageText refreshers_page(const Visit& visit) {
     const bool later = visit.asked("after") == "5";
     const std::vector<Due> due = due_people(visit, later ? kSecondDays : kFirstDays);
-    Html body = head(visit, say("Due for a refresher"), "/refreshers",
-                     {{"after",
-                       say("Not practised for"),
-                       later ? "5" : "1",
-                       {{"1", say("1 month or longer")}, {"5", say("5 months or longer")}}}});
+    Html body = head(
+        visit, Web::phrase("Due for a refresher"), "/refreshers",
+        {{"after",
+          Web::phrase("Not practised for"),
+          later ? "5" : "1",
+          {{"1", Web::phrase("1 month or longer")}, {"5", Web::phrase("5 months or longer")}}}});
     const Part part = part_of(visit, static_cast<int64_t>(due.size()));
     Table table(
-        say_count(due.size(),
-                  "%1 person and task passed once and not practised since, the longest first",
-                  "%1 people and tasks passed once and not practised since, the longest first"),
-        {{say("Person")},
-         {say("Task")},
-         {say("Due")},
-         {say("Last on")},
-         {say("Days ago"), true},
-         {say("Last"), true},
-         {say("Best"), true}});
+        Web::count_phrase(
+            "%n person(s) and task(s) passed once and not practised since, the longest first",
+            due.size()),
+        {{Web::phrase("Person")},
+         {Web::phrase("Task")},
+         {Web::phrase("Due")},
+         {Web::phrase("Last on")},
+         {Web::phrase("Days ago"), true},
+         {Web::phrase("Last"), true},
+         {Web::phrase("Best"), true}});
     for (int64_t i = part.first; i < part.past; ++i) {
         const Due& each = due[static_cast<size_t>(i)];
         table.row({person_link(each.standing), curve_link(visit, each.standing),
-                   each.days >= kSecondDays ? badge(say("since 5 months"), Tone::kCritical)
-                                            : badge(say("since 1 month"), Tone::kWarn),
+                   each.days >= kSecondDays ? badge(Web::phrase("since 5 months"), Tone::kCritical)
+                                            : badge(Web::phrase("since 1 month"), Tone::kWarn),
                    day(each.standing.last_utc), text(each.days), points(each.standing.last_points),
                    points(each.standing.best_points)});
     }
     body << "<section class=\"card\">";
     if (due.empty())
-        body << "<p>" << say("Nobody is due.") << "</p>";
+        body << "<p>" << Web::phrase("Nobody is due.") << "</p>";
     else
         body << table.html()
              << pager(part, "/refreshers",
                       {{"group", visit.asked("group")}, {"after", visit.asked("after")}});
     body << "<p class=\"small\">"
-         << say("A month is 30 days and counts from the last attempt that counts, of tasks with at "
+         << Web::phrase(
+                "A month is 30 days and counts from the last attempt that counts, of tasks with at "
                 "least one pass. When a stage of a course is to be refreshed by the course's own "
                 "rule stands on the person's page.")
          << "</p></section>\n";
-    return {say("Due for a refresher"), body};
+    return {Web::phrase("Due for a refresher"), body};
 }
 
 PageText scores_page(const Visit& visit) {
     const std::vector<std::string> tasks = visit.store.attempts().tasks();
-    Choice choice{"task", say("Task"), visit.asked("task"), {}};
+    Choice choice{"task", Web::phrase("Task"), visit.asked("task"), {}};
     for (const std::string& task : tasks)
         choice.values.emplace_back(task, text(visit.tasks.of(task).title));
     if (std::find(tasks.begin(), tasks.end(), choice.chosen) == tasks.end())
         choice.chosen = tasks.empty() ? "" : tasks.front();
-    Html body = head(visit, say("Scores of a task"), "/scores", {choice});
+    Html body = head(visit, Web::phrase("Scores of a task"), "/scores", {choice});
     if (tasks.empty()) {
-        body << "<p class=\"muted\">" << say("There are no attempts yet.") << "</p>";
-        return {say("Scores of a task"), body};
+        body << "<p class=\"muted\">" << Web::phrase("There are no attempts yet.") << "</p>";
+        return {Web::phrase("Scores of a task"), body};
     }
-    std::vector<reports::StripGroup> groups{
-        {words("first attempt"), {}}, {words("last attempt"), {}}, {words("best attempt"), {}}};
+    std::vector<reports::StripGroup> groups{{Web::plain_phrase("first attempt"), {}},
+                                            {Web::plain_phrase("last attempt"), {}},
+                                            {Web::plain_phrase("best attempt"), {}}};
     for (const db::TaskStanding& each :
          visit.store.attempts().standings(visit.number("group"), choice.chosen)) {
         groups[0].values.push_back(each.first_points);
@@ -239,21 +242,20 @@ PageText scores_page(const Visit& visit) {
     const std::string title = visit.tasks.of(choice.chosen).title;
     Html drawing;
     if (groups[0].values.empty())
-        drawing << "<p>" << say("Nobody here has an attempt at it that counts.") << "</p>";
+        drawing << "<p>" << Web::phrase("Nobody here has an attempt at it that counts.") << "</p>";
     else
         drawing << figure([&](const reports::ChartStyle& style) {
             reports::Figure strip =
-                reports::strip_figure("scores", words("Scores: %1", {title}),
-                                      words("score [points of 100]"), groups, style);
-            strip.caption = words_count(
-                groups[0].values.size(),
-                "%1 person. Every point is a person; box: quartiles, line: median, diamond: mean.",
-                "%1 people. Every point is a person; box: quartiles, line: median, diamond: "
-                "mean.");
+                reports::strip_figure("scores", Web::plain_phrase("Scores: %1", {title}),
+                                      Web::plain_phrase("score [points of 100]"), groups, style);
+            strip.caption = Web::plain_count_phrase(
+                "%n person(s). Every point is a person; box: quartiles, line: median, diamond: "
+                "mean.",
+                groups[0].values.size());
             return strip;
         });
     body << card(text(title), drawing);
-    return {say("Scores of a task"), body};
+    return {Web::phrase("Scores of a task"), body};
 }
 
 }  // namespace placode::web

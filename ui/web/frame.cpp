@@ -27,15 +27,17 @@ Html rail(const Reader& reader) {
         return db::allowed(reader.user->roles, action, db::Scope::kOther);
     };
     Html out;
-    out << "<nav class=\"rail\" aria-label=\"" << say("Main") << "\"><ul>"
-        << rail_entry(reader, "/", say("My page"));
+    out << "<nav class=\"rail\" aria-label=\"" << Web::phrase("Main") << "\"><ul>"
+        << rail_entry(reader, "/", Web::phrase("My page"));
     if (may(db::Action::kViewAttempts))
-        out << rail_entry(reader, "/cohort", say("Cohort"))
-            << rail_entry(reader, "/attempts", say("Attempts"))
-            << rail_entry(reader, "/standards", say("Standards"))
-            << rail_entry(reader, "/norms", say("Norms"));
-    if (may(db::Action::kRunQuestionnaire)) out << rail_entry(reader, "/studies", say("Studies"));
-    if (may(db::Action::kViewPersonalData)) out << rail_entry(reader, "/people", say("People"));
+        out << rail_entry(reader, "/cohort", Web::phrase("Cohort"))
+            << rail_entry(reader, "/attempts", Web::phrase("Attempts"))
+            << rail_entry(reader, "/standards", Web::phrase("Standards"))
+            << rail_entry(reader, "/norms", Web::phrase("Norms"));
+    if (may(db::Action::kRunQuestionnaire))
+        out << rail_entry(reader, "/studies", Web::phrase("Studies"));
+    if (may(db::Action::kViewPersonalData))
+        out << rail_entry(reader, "/people", Web::phrase("People"));
     out << "</ul></nav>";
     return out;
 }
@@ -56,7 +58,7 @@ Html language_entry(const Reader& reader, std::string_view code, std::string_vie
 
 Html languages(const Reader& reader) {
     Html out;
-    out << "<nav class=\"languages\" aria-label=\"" << say("Language") << "\"><ul>"
+    out << "<nav class=\"languages\" aria-label=\"" << Web::phrase("Language") << "\"><ul>"
         << language_entry(reader, "en", "EN, English") << language_entry(reader, "pl", "PL, polski")
         << "</ul></nav>";
     return out;
@@ -80,8 +82,8 @@ std::string document(const Text& title, const Html& body, const Reader& reader) 
            "initial-scale=1\"><meta name=\"color-scheme\" content=\"light dark\"><link "
            "rel=\"icon\" href=\"data:,\"><link rel=\"stylesheet\" "
            "href=\"/style.css\"></head>\n<body><a class=\"skip\" href=\"#content\">"
-        << say("Skip to the content") << "</a>\n<header><a class=\"brand\" href=\"/\">" << placode
-        << "</a>";
+        << Web::phrase("Skip to the content") << "</a>\n<header><a class=\"brand\" href=\"/\">"
+        << placode << "</a>";
     if (reader.user != nullptr) out << rail(reader);
     out << languages(reader);
     if (reader.user != nullptr)
@@ -89,10 +91,11 @@ std::string document(const Text& title, const Html& body, const Reader& reader) 
                "name=\"form_token\" value=\""
             << text(reader.form_token) << "\"><span class=\"small\">"
             << text(reader.user->display_name) << "</span> <button type=\"submit\">"
-            << say("Sign out") << "</button></form>";
+            << Web::phrase("Sign out") << "</button></form>";
     out << "</header>\n<main id=\"content\" tabindex=\"-1\">\n"
         << body << "</main>\n<footer>"
-        << say("Placode, for reading only: what is to be changed is changed in the program on the "
+        << Web::phrase(
+               "Placode, for reading only: what is to be changed is changed in the program on the "
                "station. Times are UTC.")
         << "</footer></body></html>\n";
     return out.str();

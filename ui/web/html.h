@@ -37,7 +37,7 @@ namespace placode::web {
 struct Markup {
     std::string_view text;
     consteval Markup(const char* literal) : text(literal) {  // NOLINT: meant to be implicit
-        if (says_something(text)) throw "words belong into say() of ui/web/words.h";
+        if (says_something(text)) throw "words belong into Web::phrase() of ui/web/words.h";
     }
 };
 
@@ -46,7 +46,8 @@ struct Text {
     std::string escaped_text;
 };
 [[nodiscard]] Text text(std::string_view words);
-Text text(const char* words) = delete;  ///< say("...") translates; a name or a sign is "–"sv.
+Text text(const char* words) =
+    delete;  ///< Web::phrase("...") translates; a name or a sign is "–"sv.
 [[nodiscard]] Text text(const QString& words);
 [[nodiscard]] Text text(std::integral auto number) { return text(std::to_string(number)); }
 

@@ -80,19 +80,19 @@ Text points(double value) {
 Text verdict(assessment::Verdict verdict) {
     switch (verdict) {
         case assessment::Verdict::kPassed:
-            return say("Passed");
+            return Web::phrase("Passed");
         case assessment::Verdict::kNotYet:
-            return say("Not yet");
+            return Web::phrase("Not yet");
         case assessment::Verdict::kFailed:
-            return say("Failed");
+            return Web::phrase("Failed");
         case assessment::Verdict::kNotAttempted:
-            return say("Not attempted");
+            return Web::phrase("Not attempted");
     }
     return dash();
 }
 
 Html verdict_badge(const db::AttemptRecord& attempt) {
-    if (!db::counts(attempt)) return badge(say("does not count"), Tone::kPlain);
+    if (!db::counts(attempt)) return badge(Web::phrase("does not count"), Tone::kPlain);
     const Text word = verdict(attempt.verdict);
     switch (attempt.verdict) {
         case assessment::Verdict::kPassed:
@@ -104,26 +104,26 @@ Html verdict_badge(const db::AttemptRecord& attempt) {
     }
 }
 
-Html demonstration_badge() { return badge(say("DEMONSTRATION"), Tone::kWarn); }
+Html demonstration_badge() { return badge(Web::phrase("DEMONSTRATION"), Tone::kWarn); }
 
 Html standing_badge(assessment::Standing standing) {
     switch (standing) {
         case assessment::Standing::kNotTried:
-            return badge(say("not tried"), Tone::kPlain);
+            return badge(Web::phrase("not tried"), Tone::kPlain);
         case assessment::Standing::kLearning:
-            return badge(say("learning"), Tone::kPlain);
+            return badge(Web::phrase("learning"), Tone::kPlain);
         case assessment::Standing::kPassing:
-            return badge(say("passing"), Tone::kGood);
+            return badge(Web::phrase("passing"), Tone::kGood);
         case assessment::Standing::kRegressed:
-            return badge(say("regressed"), Tone::kWarn);
+            return badge(Web::phrase("regressed"), Tone::kWarn);
         case assessment::Standing::kStuck:
-            return badge(say("stuck"), Tone::kCritical);
+            return badge(Web::phrase("stuck"), Tone::kCritical);
     }
     return dash();
 }
 
 Text standings_explained() {
-    return say(
+    return Web::phrase(
         "Stuck: none of the last %1 attempts passed and no gain of %2 points. Regressed: passed "
         "before, but neither of the last two attempts.",
         text(assessment::kStuckTrials), text(reports::number(assessment::kProgressPoints, 0)));
@@ -138,15 +138,15 @@ std::string role_words(db::Roles roles) {
     const auto add = [&](db::Role role, const std::string& word) {
         if (db::has_role(roles, role)) all += (all.empty() ? "" : ", ") + word;
     };
-    add(db::Role::kTrainee, words("trainee"));
-    add(db::Role::kEducator, words("educator"));
-    add(db::Role::kCoordinator, words("coordinator"));
-    add(db::Role::kAdministrator, words("administrator"));
+    add(db::Role::kTrainee, Web::plain_phrase("trainee"));
+    add(db::Role::kEducator, Web::plain_phrase("educator"));
+    add(db::Role::kCoordinator, Web::plain_phrase("coordinator"));
+    add(db::Role::kAdministrator, Web::plain_phrase("administrator"));
     return all;
 }
 
 std::string name_or_number(const std::string& name, int64_t id) {
-    return name.empty() ? words("number %1", {std::to_string(id)}) : name;
+    return name.empty() ? Web::plain_phrase("number %1", {std::to_string(id)}) : name;
 }
 
 Html picture(
@@ -204,12 +204,12 @@ Html pager(const Part& part, const std::string& path, std::vector<QueryPart> par
         all.push_back({"page", std::to_string(page + 1)});
         return path + query(all);
     };
-    out << "<nav class=\"pager\" aria-label=\"" << say("Pages of the list") << "\">";
-    if (part.page > 0) out << link(to(part.page - 1), say("← Before"));
+    out << "<nav class=\"pager\" aria-label=\"" << Web::phrase("Pages of the list") << "\">";
+    if (part.page > 0) out << link(to(part.page - 1), Web::phrase("← Before"));
     out << "<span>"
-        << say("%1 to %2 of %3", text(part.first + 1), text(part.past), text(part.total))
+        << Web::phrase("%1 to %2 of %3", text(part.first + 1), text(part.past), text(part.total))
         << "</span>";
-    if (part.past < part.total) out << link(to(part.page + 1), say("Next →"));
+    if (part.past < part.total) out << link(to(part.page + 1), Web::phrase("Next →"));
     out << "</nav>\n";
     return out;
 }
@@ -240,12 +240,13 @@ Html choices(const std::string& path, const std::vector<Choice>& all) {
         }
         out << "</select></div>";
     }
-    out << "<button type=\"submit\">" << say("Show") << "</button></form>\n";
+    out << "<button type=\"submit\">" << Web::phrase("Show") << "</button></form>\n";
     return out;
 }
 
 Choice group_choice(const Visit& visit) {
-    Choice choice{"group", say("Group"), visit.asked("group"), {{"", say("Everybody")}}};
+    Choice choice{
+        "group", Web::phrase("Group"), visit.asked("group"), {{"", Web::phrase("Everybody")}}};
     for (const db::GroupRecord& group : visit.store.groups().list())
         choice.values.emplace_back(std::to_string(group.id), text(group.name));
     return choice;
@@ -253,13 +254,13 @@ Choice group_choice(const Visit& visit) {
 
 Html attempts_table(const Visit& visit, const Text& caption,
                     const std::vector<db::AttemptRecord>& attempts, bool with_person) {
-    std::vector<Column> columns{{say("Attempt")}, {say("Started (UTC)")}};
-    if (with_person) columns.push_back({say("Person")});
-    for (const Column& each : std::vector<Column>{{say("Task")},
-                                                  {say("Points"), true},
-                                                  {say("Result")},
-                                                  {say("Why it does not count")},
-                                                  {say("Length"), true}})
+    std::vector<Column> columns{{Web::phrase("Attempt")}, {Web::phrase("Started (UTC)")}};
+    if (with_person) columns.push_back({Web::phrase("Person")});
+    for (const Column& each : std::vector<Column>{{Web::phrase("Task")},
+                                                  {Web::phrase("Points"), true},
+                                                  {Web::phrase("Result")},
+                                                  {Web::phrase("Why it does not count")},
+                                                  {Web::phrase("Length"), true}})
         columns.push_back(each);
     Table table(caption, columns);
     for (const db::AttemptRecord& each : attempts) {

@@ -19,7 +19,7 @@ std::map<int64_t, std::string> groups_by_person(const Visit& visit) {
         };
         for (const int64_t person : group.members) add(person, group.name);
         for (const int64_t person : group.educators)
-            add(person, words("%1 (teaches)", {group.name}));
+            add(person, Web::plain_phrase("%1 (teaches)", {group.name}));
     }
     return lines;
 }
@@ -33,9 +33,9 @@ bool fits(const db::UserRecord& user, const QString& words) {
 Html search_form(const std::string& words) {
     Html out;
     out << "<form class=\"choices\" method=\"get\" action=\"/people\"><div><label for=\"find\">"
-        << say("Name or log-in")
+        << Web::phrase("Name or log-in")
         << "</label><input id=\"find\" name=\"find\" type=\"search\" maxlength=\"100\" value=\""
-        << text(words) << "\"></div><button type=\"submit\">" << say("Find")
+        << text(words) << "\"></div><button type=\"submit\">" << Web::phrase("Find")
         << "</button></form>\n";
     return out;
 }
@@ -50,32 +50,32 @@ PageText people_page(const Visit& visit) {
     const auto groups = groups_by_person(visit);
     const bool sees_scores = visit.may(db::Action::kViewAttempts);
     const Part part = part_of(visit, static_cast<int64_t>(people.size()));
-    Table table(say_count(people.size(), "%1 account", "%1 accounts"), {{say("Person")},
-                                                                        {say("Log-in")},
-                                                                        {say("Roles")},
-                                                                        {say("Groups")},
-                                                                        {say("State")},
-                                                                        {say("Since")}});
+    Table table(Web::count_phrase("%n account(s)", people.size()), {{Web::phrase("Person")},
+                                                                    {Web::phrase("Log-in")},
+                                                                    {Web::phrase("Roles")},
+                                                                    {Web::phrase("Groups")},
+                                                                    {Web::phrase("State")},
+                                                                    {Web::phrase("Since")}});
     for (int64_t i = part.first; i < part.past; ++i) {
         const db::UserRecord& each = people[static_cast<size_t>(i)];
         const Html name = text(name_or_number(each.display_name, each.id));
         const auto of = groups.find(each.id);
-        Html state = each.active ? badge(say("open@account"), Tone::kGood)
-                                 : badge(say("closed@account"), Tone::kPlain);
+        Html state = each.active ? badge(Web::phrase("open@account"), Tone::kGood)
+                                 : badge(Web::phrase("closed@account"), Tone::kPlain);
         if (each.demonstration) state << " " << demonstration_badge();
         table.row({sees_scores ? link("/people/" + std::to_string(each.id), name) : name,
                    text(each.login), text(role_words(each.roles)),
                    of == groups.end() ? dash() : text(of->second), state, day(each.created_utc)});
     }
     Html body;
-    body << "<h1>" << say("People") << "</h1>\n"
+    body << "<h1>" << Web::phrase("People") << "</h1>\n"
          << search_form(wanted) << "<section class=\"card\">";
     if (people.empty())
-        body << "<p class=\"muted\">" << say("Nobody has that name.") << "</p>";
+        body << "<p class=\"muted\">" << Web::phrase("Nobody has that name.") << "</p>";
     else
         body << table.html() << pager(part, "/people", {{"find", wanted}});
     body << "</section>\n";
-    return {say("People"), body};
+    return {Web::phrase("People"), body};
 }
 
 }  // namespace placode::web

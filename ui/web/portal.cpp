@@ -162,7 +162,7 @@ Answer Portal::page(const Request& request, const Signed& who) {
             visit.parts = *parts;
             return show(route, visit, reader);
         }
-    return message(404, say("Not there"), say("There is no such page."), reader);
+    return message(404, Web::phrase("Not there"), Web::phrase("There is no such page."), reader);
 }
 
 Answer Portal::show(const Route& route, Visit& visit, const Reader& reader) {
@@ -177,7 +177,8 @@ Answer Portal::show(const Route& route, Visit& visit, const Reader& reader) {
             answer.headers.emplace_back("Content-Security-Policy", policy_with_script());
         return answer;
     } catch (const NotThere& problem) {
-        return message(404, say("Not there"), text(std::string_view(problem.what())), reader);
+        return message(404, Web::phrase("Not there"), text(std::string_view(problem.what())),
+                       reader);
     } catch (const db::StoreError& error) {
         if (error.kind() != db::StoreError::Kind::kRefused &&
             error.kind() != db::StoreError::Kind::kNotFound)

@@ -17,10 +17,12 @@
 namespace placode::web {
 namespace {
 
-Answer not_in(int status, const Html& why) { return message(status, say("Not signed in"), why); }
+Answer not_in(int status, const Html& why) {
+    return message(status, Web::phrase("Not signed in"), why);
+}
 
 Answer too_many() {
-    Answer answer = not_in(429, say("Many people are signing in. Try again in a moment."));
+    Answer answer = not_in(429, Web::phrase("Many people are signing in. Try again in a moment."));
     answer.headers.emplace_back("Retry-After", "1");
     return answer;
 }
@@ -30,31 +32,32 @@ Text words_of(lti::Refusal refusal) {
     using lti::Refusal;
     switch (refusal) {
         case Refusal::kMalformed:
-            return say("The platform's answer is incomplete or cannot be read.");
+            return Web::phrase("The platform's answer is incomplete or cannot be read.");
         case Refusal::kAlgorithm:
-            return say("The platform's answer is not signed with RS256.");
+            return Web::phrase("The platform's answer is not signed with RS256.");
         case Refusal::kUnknownKey:
-            return say(
+            return Web::phrase(
                 "The platform's answer is signed with a key that the platform does not "
                 "publish, or its keys cannot be read now. Try again in a minute.");
         case Refusal::kSignature:
-            return say("The signature of the platform's answer is wrong.");
+            return Web::phrase("The signature of the platform's answer is wrong.");
         case Refusal::kIssuer:
-            return say("The answer comes from another platform than the one that was asked.");
+            return Web::phrase(
+                "The answer comes from another platform than the one that was asked.");
         case Refusal::kAudience:
-            return say("The platform's answer is for another tool.");
+            return Web::phrase("The platform's answer is for another tool.");
         case Refusal::kTime:
-            return say(
+            return Web::phrase(
                 "The platform's answer is too old, or the clocks of platform and portal "
                 "differ. Start again from your course.");
         case Refusal::kNonce:
-            return say(
+            return Web::phrase(
                 "The platform's answer belongs to another sign-in. Start again from your "
                 "course.");
         case Refusal::kDeployment:
-            return say("This deployment of the platform is not registered here.");
+            return Web::phrase("This deployment of the platform is not registered here.");
         case Refusal::kMessage:
-            return say(
+            return Web::phrase(
                 "From a platform, links to this portal can be opened by LTI 1.3, and "
                 "nothing else.");
     }
@@ -74,13 +77,14 @@ std::string value_of(const std::map<std::string, std::string>& values, const cha
 }
 
 Answer unknown_person(const lti::Platform& platform, const std::string& subject) {
-    if (subject.empty()) return not_in(403, say("The platform did not say who you are."));
+    if (subject.empty()) return not_in(403, Web::phrase("The platform did not say who you are."));
     Html body;
-    body << say("Nobody has said yet which account of Placode is yours. Give an administrator of "
+    body << Web::phrase(
+                "Nobody has said yet which account of Placode is yours. Give an administrator of "
                 "Placode this address and this number of yours:")
          << "</p>\n<p><code>" << text(std::string_view(platform.issuer)) << "</code> · <code>"
          << text(std::string_view(subject)) << "</code>";
-    return message(403, say("Not known here yet"), body);
+    return message(403, Web::phrase("Not known here yet"), body);
 }
 
 bool is_for(const lti::Link& link, const db::UserRecord& user) {
@@ -140,9 +144,10 @@ Answer Portal::lti_login(const std::map<std::string, std::string>& said) {
     const lti::Settings settings = lti::read_settings(options_.lti_file);
     const lti::Platform* platform =
         settings.platform(value_of(said, "iss"), value_of(said, "client_id"));
-    if (platform == nullptr) return not_in(400, say("This platform is not registered here."));
+    if (platform == nullptr)
+        return not_in(400, Web::phrase("This platform is not registered here."));
     const std::string hint = value_of(said, "login_hint");
-    if (hint.empty()) return not_in(400, say("The platform did not say who you are."));
+    if (hint.empty()) return not_in(400, Web::phrase("The platform did not say who you are."));
     Arrival arrival{platform->issuer, platform->client_id, new_token(), new_token(), now};
     const std::string browser = arrival.browser, nonce = arrival.nonce;
     std::vector<std::pair<std::string, std::string>> asked{
@@ -170,18 +175,21 @@ Answer Portal::lti_launch(const Request& request) {
     if (!visitors_->launches.take(now)) return too_many();
     const auto arrival = visitors_->arrivals.take(value_of(request.form, "state"), now);
     if (!arrival)
-        return not_in(400, say("This sign-in is too old or was used already. Start again from your "
-                               "course."));
+        return not_in(
+            400, Web::phrase("This sign-in is too old or was used already. Start again from your "
+                             "course."));
     if (!same_token(arrival->browser, cookie_of(request.cookies, session_name() + "-lti")))
-        return not_in(403, say("This sign-in began in another browser, or cookies are off. Start "
-                               "again from your course."));
+        return not_in(
+            403, Web::phrase("This sign-in began in another browser, or cookies are off. Start "
+                             "again from your course."));
     const lti::Settings settings = lti::read_settings(options_.lti_file);
     const lti::Platform* platform = settings.platform(arrival->issuer, arrival->client_id);
-    if (platform == nullptr) return not_in(400, say("This platform is not registered here."));
+    if (platform == nullptr)
+        return not_in(400, Web::phrase("This platform is not registered here."));
     const std::string problem = value_of(request.form, "error");
     if (!problem.empty())
-        return not_in(403, say("The platform did not sign you in: %1",
-                               text(std::string_view(word_of(problem)))));
+        return not_in(403, Web::phrase("The platform did not sign you in: %1",
+                                       text(std::string_view(word_of(problem)))));
     try {
         const auto find_key = [&](const std::string& id) {
             return visitors_->keys.find(*platform, id);
@@ -209,8 +217,9 @@ Answer Portal::lti_enter(const lti::Platform& platform, const lti::Launch& launc
         if (!user || !user->active || !is_for(*link, *user)) {
             options_.log("lti: account " + std::to_string(link->account) + " is closed, or not " +
                          link->login + "'s");
-            return not_in(403, say("The account that you are linked with is closed or was changed. "
-                                   "Ask an administrator of Placode."));
+            return not_in(
+                403, Web::phrase("The account that you are linked with is closed or was changed. "
+                                 "Ask an administrator of Placode."));
         }
         return lti_begin_session(platform, launch, *store, *user);
     } catch (const db::StoreError& error) {
@@ -223,15 +232,16 @@ Answer Portal::lti_begin_session(const lti::Platform& platform, const lti::Launc
                                  db::Store& store, const db::UserRecord& user) {
     // Whoever runs the platform can come as everybody who is linked.
     if (db::has_role(user.roles, db::Role::kAdministrator))
-        return not_in(403, say("Administrators sign in with their password."));
+        return not_in(403, Web::phrase("Administrators sign in with their password."));
     if (user.password_given)
-        return not_in(403, say("Somebody else chose your password and knows it. Sign in to the "
-                               "program Placode and choose your own, then come back."));
+        return not_in(403,
+                      Web::phrase("Somebody else chose your password and knows it. Sign in to the "
+                                  "program Placode and choose your own, then come back."));
     const std::string page = page_of(store, user.id, launch.task);
     Html body;
-    body << say("You are signed in as %1.", text(std::string_view(user.display_name)))
-         << "</p>\n<p>" << link(page, say("Go on"));
-    Answer answer = message(200, say("Signed in"), body);
+    body << Web::phrase("You are signed in as %1.", text(std::string_view(user.display_name)))
+         << "</p>\n<p>" << link(page, Web::phrase("Go on"));
+    Answer answer = message(200, Web::phrase("Signed in"), body);
     // Not a redirection: a browser takes that for the platform's, and brings no cookie that is for
     // this site alone.
     answer.headers.emplace_back("Refresh", "0; url=" + page);

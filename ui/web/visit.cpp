@@ -55,7 +55,7 @@ int64_t Visit::number(const std::string& key) const {
 
 int64_t Visit::id(size_t part) const {
     const int64_t value = part < parts.size() ? whole_number(parts[part]) : -1;
-    if (value <= 0) throw NotThere(words("There is no such page."));
+    if (value <= 0) throw NotThere(Web::plain_phrase("There is no such page."));
     return value;
 }
 

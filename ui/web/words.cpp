@@ -3,6 +3,7 @@
 #include "ui/web/words.h"
 
 #include <algorithm>
+#include <climits>
 #include <stdexcept>
 
 namespace placode::web {
@@ -10,31 +11,32 @@ namespace {
 
 bool polish_is_spoken() { return reports::spoken().language() == QLocale::Polish; }
 
-const Polish* polish_of(std::string_view english) {
-    static const auto by_english = [] {
-        std::map<std::string_view, const Polish*> all;
-        for (const Polish& each : polish_table()) all[each.english] = &each;
-        return all;
-    }();
-    const auto found = by_english.find(english);
-    return found == by_english.end() ? nullptr : found->second;
-}
+/// A translation file of this program, read once.
+class Strings {
+ public:
+    explicit Strings(const char* file) {
+        if (!translator_.load(QString::fromLatin1(file)))
+            throw std::runtime_error("this program was built without its words");
+    }
+    /// A null text where it has none. Any thread: nothing of it changes.
+    [[nodiscard]] QString operator()(const char* english, int number) const {
+        return translator_.translate("Web", english, nullptr, number);
+    }
 
-std::string_view without_meaning(std::string_view english) {
-    return english.substr(0, english.find('@'));
-}
+ private:
+    QTranslator translator_;
+};
 
-/// The Polish text, else the English one.
-std::string_view translated(std::string_view english) {
-    const Polish* found = polish_is_spoken() ? polish_of(english) : nullptr;
-    return found != nullptr ? found->polish : without_meaning(english);
-}
-
-/// 1 próba, 2 to 4 próby (also 22, 103), all others prób.
-std::string_view polish_form(const Polish& forms, int64_t number) {
-    const int64_t ones = number % 10, tens = number % 100;
-    if (number == 1) return forms.polish;
-    return ones >= 2 && ones <= 4 && (tens < 12 || tens > 14) ? forms.few : forms.many;
+/// In the reader's language. English is the source's, but for the forms of counted nouns.
+/// @param number -1: no noun is counted.
+std::string in_language(const char* english, int number) {
+    static const Strings polish(":/i18n/placode_pl.qm"), counted(":/i18n/placode_en.qm");
+    const QString found = polish_is_spoken() ? polish(english, number)
+                          : number >= 0      ? counted(english, number)
+                                             : QString();
+    if (!found.isNull()) return found.toStdString();
+    const std::string_view all = english;
+    return std::string(all.substr(0, all.find('@')));
 }
 
 std::string_view trimmed(std::string_view words) {
@@ -91,8 +93,8 @@ std::string_view liked_language(const std::string& accept_language) {
     return best;
 }
 
-std::string words(Phrase english, const std::vector<std::string>& parts) {
-    return inside::filled(std::string(translated(english.english)), parts);
+std::string Web::plain_phrase(Phrase english, const std::vector<std::string>& parts) {
+    return inside::filled(inside::translated(english.english), parts);
 }
 
 const std::string& in_words(const curriculum::LocalText& text) { return text.in(spoken_code()); }
@@ -112,12 +114,13 @@ QString ReportsInPolish::translate(const char* context, const char* english, con
 
 namespace inside {
 
-std::string escaped_phrase(std::string_view english) { return escaped(translated(english)); }
+std::string translated(const char* english) { return in_language(english, -1); }
 
-std::string_view counted_phrase(int64_t number, std::string_view one, std::string_view many) {
-    const Polish* found = polish_is_spoken() ? polish_of(many) : nullptr;
-    if (found != nullptr) return polish_form(*found, number);
-    return without_meaning(number == 1 ? one : many);
+std::string counted(const char* english, int64_t number) {
+    std::string text =
+        in_language(english, static_cast<int>(std::clamp<int64_t>(number, 0, INT_MAX)));
+    const size_t at = text.find("%n");
+    return at == std::string::npos ? text : text.replace(at, 2, std::to_string(number));
 }
 
 std::string filled(const std::string& pattern, const std::vector<std::string>& parts) {

@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What pages say, in the language of whoever asks for the page. The English text stands at its
-// place in the source; polish.cpp has the Polish of each, and a test compares the two. Which
-// language is spoken goes with the thread that answers (reports::Speaking): the reports' own words
-// follow it, too.
+// place in the source, in `Web::phrase("...")`; its Polish, and the forms of counted nouns, in the
+// shell's translation files (context Web). Which language is spoken goes with the thread that
+// answers (reports::Speaking): the reports' own words follow it, too.
 
+#include <QCoreApplication>
 #include <QString>
 #include <QTranslator>
 #include <concepts>
-#include <map>
-#include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,38 +33,37 @@ inline constexpr std::string_view kLanguages[]{"en", "pl"};
 /// English words that stand in the source. %1 to %9 are places to be filled. Where the same English
 /// has several meanings, what follows an @ tells them apart and is not shown: "open@record".
 struct Phrase {
-    std::string_view english;
+    const char* english;
     consteval Phrase(const char* literal) : english(literal) {}  // NOLINT: meant to be implicit
 };
 
-/// Plain text, which is no markup yet.
-[[nodiscard]] std::string words(Phrase english, const std::vector<std::string>& parts = {});
+/// The portal's texts. The translation tool finds them by these names (cmake/compiler.cmake).
+class Web {
+    Q_DECLARE_TR_FUNCTIONS(Web)
 
-/// The phrase with its places filled, for a page.
-template <std::same_as<Text>... Parts>
-[[nodiscard]] Text say(Phrase english, const Parts&... parts);
-template <typename... Parts>
-[[nodiscard]] Html say(Phrase english, const Parts&... parts);
+ public:
+    /// Plain text, which is no markup yet.
+    [[nodiscard]] static std::string plain_phrase(Phrase english,
+                                                  const std::vector<std::string>& parts = {});
 
-/// A number with its noun; %1 is the number. @param many the English plural, by which polish.cpp
-/// has the three Polish forms (1, 2 to 4, 5 and more).
-template <std::same_as<Text>... Parts>
-[[nodiscard]] Text say_count(std::integral auto number, Phrase one, Phrase many,
-                             const Parts&... parts);
+    /// The phrase with its places filled, for a page.
+    template <std::same_as<Text>... Parts>
+    [[nodiscard]] static Text phrase(Phrase english, const Parts&... parts);
+    template <typename... Parts>
+    [[nodiscard]] static Html phrase(Phrase english, const Parts&... parts);
 
-/// The same, plain.
-[[nodiscard]] std::string words_count(std::integral auto number, Phrase one, Phrase many);
+    /// A number, %n, with its noun in the form that goes with it: "%n attempt(s)".
+    template <std::same_as<Text>... Parts>
+    [[nodiscard]] static Text count_phrase(Phrase english, std::integral auto number,
+                                           const Parts&... parts);
+    /// The same, plain.
+    [[nodiscard]] static std::string plain_count_phrase(Phrase english, std::integral auto number);
+};
 
 /// A text of a definition, in the reader's language.
 [[nodiscard]] const std::string& in_words(const curriculum::LocalText& text);
 /// The decimal sign of the language in a number as reports write it.
 [[nodiscard]] Text number_text(const QString& number);
-
-/// One entry of the table; `few` and `many` only where a number stands.
-struct Polish {
-    std::string_view english, polish, few = {}, many = {};
-};
-[[nodiscard]] std::span<const Polish> polish_table();  // polish.cpp
 
 /// The reports' words in Polish (the shell's translation file), for threads that speak it.
 class ReportsInPolish : public QTranslator {
@@ -79,35 +76,31 @@ class ReportsInPolish : public QTranslator {
 
 namespace inside {
 /// What to say, with places.
-[[nodiscard]] std::string escaped_phrase(std::string_view english);
-[[nodiscard]] std::string_view counted_phrase(int64_t number, std::string_view one,
-                                              std::string_view many);
+[[nodiscard]] std::string translated(const char* english);
+[[nodiscard]] std::string counted(const char* english, int64_t number);
 /// One pass: a place in what is filled in stays.
 [[nodiscard]] std::string filled(const std::string& pattern, const std::vector<std::string>& parts);
 }  // namespace inside
 
 template <std::same_as<Text>... Parts>
-Text say(Phrase english, const Parts&... parts) {
-    return {inside::filled(inside::escaped_phrase(english.english), {parts.escaped_text...})};
+Text Web::phrase(Phrase english, const Parts&... parts) {
+    return {inside::filled(escaped(inside::translated(english.english)), {parts.escaped_text...})};
 }
 
 template <typename... Parts>
-Html say(Phrase english, const Parts&... parts) {
+Html Web::phrase(Phrase english, const Parts&... parts) {
     return Html(
-        Text{inside::filled(inside::escaped_phrase(english.english), {Html(parts).str()...})});
+        Text{inside::filled(escaped(inside::translated(english.english)), {Html(parts).str()...})});
 }
 
 template <std::same_as<Text>... Parts>
-Text say_count(std::integral auto number, Phrase one, Phrase many, const Parts&... parts) {
-    const auto n = static_cast<int64_t>(number);
-    return {inside::filled(escaped(inside::counted_phrase(n, one.english, many.english)),
-                           {std::to_string(n), parts.escaped_text...})};
+Text Web::count_phrase(Phrase english, std::integral auto number, const Parts&... parts) {
+    return {inside::filled(escaped(inside::counted(english.english, static_cast<int64_t>(number))),
+                           {parts.escaped_text...})};
 }
 
-std::string words_count(std::integral auto number, Phrase one, Phrase many) {
-    const auto n = static_cast<int64_t>(number);
-    return inside::filled(std::string(inside::counted_phrase(n, one.english, many.english)),
-                          {std::to_string(n)});
+std::string Web::plain_count_phrase(Phrase english, std::integral auto number) {
+    return inside::counted(english.english, static_cast<int64_t>(number));
 }
 
 }  // namespace placode::web

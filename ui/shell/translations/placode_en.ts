@@ -146,4 +146,105 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>Web</name>
+    <message numerus="yes">
+        <source>%n attempt(s), newest first</source>
+        <translation>
+            <numerusform>%n attempt, newest first</numerusform>
+            <numerusform>%n attempts, newest first</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entry(ies) of the damage ledger</source>
+        <translation>
+            <numerusform>%n entry of the damage ledger</numerusform>
+            <numerusform>%n entries of the damage ledger</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s) with attempts</source>
+        <translation>
+            <numerusform>%n person with attempts</numerusform>
+            <numerusform>%n people with attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s) and task(s) passed once and not practised since, the longest first</source>
+        <translation>
+            <numerusform>%n person and task passed once and not practised since, the longest first</numerusform>
+            <numerusform>%n people and tasks passed once and not practised since, the longest first</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s). Every point is a person; box: quartiles, line: median, diamond: mean.</source>
+        <translation>
+            <numerusform>%n person. Every point is a person; box: quartiles, line: median, diamond: mean.</numerusform>
+            <numerusform>%n people. Every point is a person; box: quartiles, line: median, diamond: mean.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>All of them: %n attempt(s)</source>
+        <translation>
+            <numerusform>All of them: %n attempt</numerusform>
+            <numerusform>All of them: %n attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s), last %1, best %2, pass mark %3</source>
+        <translation>
+            <numerusform>%n attempt, last %1, best %2, pass mark %3</numerusform>
+            <numerusform>%n attempts, last %1, best %2, pass mark %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n account(s)</source>
+        <translation>
+            <numerusform>%n account</numerusform>
+            <numerusform>%n accounts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n judge(s), standard error %1</source>
+        <translation>
+            <numerusform>%n judge, standard error %1</numerusform>
+            <numerusform>%n judges, standard error %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n person(s)</source>
+        <translation>
+            <numerusform>%1: %n person</numerusform>
+            <numerusform>%1: %n people</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n attempt(s)</source>
+        <translation>
+            <numerusform>%1, %n attempt</numerusform>
+            <numerusform>%1, %n attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) was (were) typed a second time.</source>
+        <translation>
+            <numerusform>%n sheet was typed a second time.</numerusform>
+            <numerusform>%n sheets were typed a second time.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n open difference(s)</source>
+        <translation>
+            <numerusform>%n open difference</numerusform>
+            <numerusform>%n open differences</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n deviation(s) or note(s)</source>
+        <translation>
+            <numerusform>%n deviation or note</numerusform>
+            <numerusform>%n deviations and notes</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -332,7 +332,7 @@
         <source>The two passwords differ. Type them again.</source>
         <translation>Hasła się różnią. Wpisz je jeszcze raz.</translation>
     </message>
-<message>
+    <message>
         <source>Type the password once more.</source>
         <translation>Wpisz hasło jeszcze raz.</translation>
     </message>
@@ -1135,7 +1135,7 @@
         <source>%1, version %2</source>
         <translation>%1, wersja %2</translation>
     </message>
-<message>
+    <message>
         <source>took the screen back from a participant</source>
         <translation>odebrano ekran uczestnikowi</translation>
     </message>
@@ -2226,7 +2226,7 @@
         <source>Backup written: %1</source>
         <translation>Kopia zapisana: %1</translation>
     </message>
-<message>
+    <message>
         <source>A file on this computer: %1</source>
         <translation>Plik na tym komputerze: %1</translation>
     </message>
@@ -3647,7 +3647,7 @@
         <source>Stretches of the planned contour without a point that is cut.</source>
         <translation>Odcinki planowanej linii bez przeciętego punktu.</translation>
     </message>
-<message>
+    <message>
         <source>Share of the planned contour that is cut to the target depth within 1 mm.</source>
         <translation>Część planowanej linii, która jest przecięta na docelową głębokość w odległości do 1 mm.</translation>
     </message>
@@ -3667,7 +3667,7 @@
         <source>Uncut stretches of the planned contour.</source>
         <translation>Nieprzecięte odcinki planowanej linii.</translation>
     </message>
-    </context>
+</context>
 <context>
     <name>ParticipantPage</name>
     <message>
@@ -3814,7 +3814,7 @@
         <source>The second entry is saved; differences are listed below.</source>
         <translation>Drugie wprowadzenie zapisane; różnice są wymienione poniżej.</translation>
     </message>
-<message>
+    <message>
         <source>This question needs an answer.</source>
         <translation>To pytanie wymaga odpowiedzi.</translation>
     </message>
@@ -3926,7 +3926,7 @@
         <source>Scripted novice</source>
         <translation>Program: początkujący</translation>
     </message>
-<message>
+    <message>
         <source>Does not count</source>
         <translation>Nie liczy się</translation>
     </message>
@@ -4069,7 +4069,7 @@
         <source>Invitations, lists, requests (%1 waiting)</source>
         <translation>Zaproszenia, listy, prośby (czeka: %1)</translation>
     </message>
-<message>
+    <message>
         <source>No role is ticked.</source>
         <translation>Nie zaznaczono żadnej roli.</translation>
     </message>
@@ -4276,7 +4276,7 @@
         <source>Making the report: %1</source>
         <translation>Tworzenie raportu: %1</translation>
     </message>
-<message>
+    <message>
         <source>Version %1 came with this program. %2 Who is enrolled already keeps the version of that day.</source>
         <translation>Z tym programem przyszła wersja %1. %2 Kto jest już włączony, zachowuje wersję z tamtego dnia.</translation>
     </message>
@@ -4300,7 +4300,7 @@
         <source>Handing the screen over</source>
         <translation>Przekazanie ekranu</translation>
     </message>
-<message>
+    <message>
         <source>An export with names needs a reason of at least %1 characters.</source>
         <translation>Eksport z nazwiskami wymaga uzasadnienia o długości co najmniej %1 znaków.</translation>
     </message>
@@ -4872,7 +4872,7 @@
         <source>This attempt was kept without a recording. Score, reasons and measures are complete; the pictures, the report and watching it again need one.</source>
         <translation>Ta próba została zapisana bez nagrania. Wynik, powody i pomiary są kompletne; nagrania wymagają tylko obrazy, raport i ponowne obejrzenie.</translation>
     </message>
-<message>
+    <message>
         <source>Study %1</source>
         <translation>Badanie %1</translation>
     </message>
@@ -5079,7 +5079,7 @@
         <source>Proctor: %1</source>
         <translation>Nadzór: %1</translation>
     </message>
-<message>
+    <message>
         <source>The procedure ends in the fetoscope's window, by itself or from its menu. What is ended here ends for good.</source>
         <translation>Zabieg kończy się w oknie fetoskopu, sam lub z menu. Co zakończy się tutaj, jest zakończone na dobre.</translation>
     </message>
@@ -5607,7 +5607,7 @@
         <source>Signature</source>
         <translation>Podpis</translation>
     </message>
-<message>
+    <message>
         <source>An attempt shorter than %1 does not count.</source>
         <translation>Próba krótsza niż %1 nie liczy się.</translation>
     </message>
@@ -6261,7 +6261,7 @@
         <source>Close this message</source>
         <translation>Zamknij ten komunikat</translation>
     </message>
-<message>
+    <message>
         <source>Close this message (Esc)</source>
         <translation>Zamknij tę wiadomość (Esc)</translation>
     </message>
@@ -6564,7 +6564,7 @@
         <source>Locked after a time without a touch. Come back where you were.</source>
         <translation>Zablokowano po czasie bezczynności. Wrócisz tam, gdzie praca została przerwana.</translation>
     </message>
-<message>
+    <message>
         <source>What was recorded is kept. Please call the coordinator.</source>
         <translation>Nagranie jest zachowane. Proszę zawołać koordynatora.</translation>
     </message>
@@ -6841,7 +6841,7 @@
         <source>Needs the libraries of the Force Dimension SDK.</source>
         <translation>Potrzebne biblioteki Force Dimension SDK.</translation>
     </message>
-<message>
+    <message>
         <source>The list of devices could not be read.</source>
         <translation>Nie udało się odczytać listy urządzeń.</translation>
     </message>
@@ -7457,7 +7457,7 @@
         <source>none</source>
         <translation>brak</translation>
     </message>
-<message>
+    <message>
         <source>the planned line</source>
         <translation>planowana linia</translation>
     </message>
@@ -7544,7 +7544,7 @@
         <source>counts for %1</source>
         <translation>liczy się do: %1</translation>
     </message>
-<message>
+    <message>
         <source>at least %1</source>
         <translation>co najmniej %1</translation>
     </message>
@@ -7754,7 +7754,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>Showing a signature</source>
         <translation>Pokazywanie podpisu</translation>
     </message>
-<message>
+    <message>
         <source>These names belong to the study %1.</source>
         <translation>Te nazwiska należą do badania %1.</translation>
     </message>
@@ -11058,6 +11058,1565 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>The key of %1 signs this norm pack.</source>
         <translation>Klucz ośrodka %1 podpisuje ten pakiet norm.</translation>
+    </message>
+</context>
+<context>
+    <name>Web</name>
+    <message>
+        <source>Main</source>
+        <translation>Menu główne</translation>
+    </message>
+    <message>
+        <source>My page</source>
+        <translation>Moja strona</translation>
+    </message>
+    <message>
+        <source>Cohort</source>
+        <translation>Grupa</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Próby</translation>
+    </message>
+    <message>
+        <source>Standards</source>
+        <translation>Progi</translation>
+    </message>
+    <message>
+        <source>Norms</source>
+        <translation>Normy</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Badania</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Osoby</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Język</translation>
+    </message>
+    <message>
+        <source>Skip to the content</source>
+        <translation>Przejdź do treści</translation>
+    </message>
+    <message>
+        <source>Sign out</source>
+        <translation>Wyloguj się</translation>
+    </message>
+    <message>
+        <source>Placode, for reading only: what is to be changed is changed in the program on the station. Times are UTC.</source>
+        <translation>Placode, tylko do odczytu: zmian dokonuje się w programie na stanowisku. Godziny podano w UTC.</translation>
+    </message>
+    <message>
+        <source>Sign in</source>
+        <translation>Zaloguj się</translation>
+    </message>
+    <message>
+        <source>With your account of Placode. Here everything is for reading only.</source>
+        <translation>Użyj swojego konta z programu Placode. Tutaj wszystko jest tylko do odczytu.</translation>
+    </message>
+    <message>
+        <source>Log-in name</source>
+        <translation>Login</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Hasło</translation>
+    </message>
+    <message>
+        <source>That page was too old, or cookies are off. Try again.</source>
+        <translation>Ta strona była zbyt stara albo pliki cookie są wyłączone. Spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>Type your log-in name and your password.</source>
+        <translation>Wpisz login i hasło.</translation>
+    </message>
+    <message>
+        <source>Many people are signing in. Try again in a moment.</source>
+        <translation>Loguje się wiele osób. Spróbuj ponownie za chwilę.</translation>
+    </message>
+    <message>
+        <source>Too many wrong passwords. Try again in %1 s.</source>
+        <translation>Zbyt wiele błędnych haseł. Spróbuj ponownie za %1 s.</translation>
+    </message>
+    <message>
+        <source>This account is deactivated. An administrator can open it again.</source>
+        <translation>To konto jest wyłączone. Administrator może je włączyć.</translation>
+    </message>
+    <message>
+        <source>Log-in name or password is wrong. Try again.</source>
+        <translation>Login lub hasło jest błędne. Spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>Somebody else chose your password and knows it. Sign in to the program Placode and choose your own, then come back.</source>
+        <translation>Twoje hasło ustaliła inna osoba i je zna. Zaloguj się w programie Placode, wybierz własne hasło i wróć tutaj.</translation>
+    </message>
+    <message>
+        <source>Not signed out</source>
+        <translation>Nie wylogowano</translation>
+    </message>
+    <message>
+        <source>That did not come from a page of this portal.</source>
+        <translation>Żądanie nie pochodziło ze strony tego portalu.</translation>
+    </message>
+    <message>
+        <source>You may not see this.</source>
+        <translation>Nie możesz tego oglądać.</translation>
+    </message>
+    <message>
+        <source>Back to my page</source>
+        <translation>Powrót do mojej strony</translation>
+    </message>
+    <message>
+        <source>Not for you</source>
+        <translation>Brak dostępu</translation>
+    </message>
+    <message>
+        <source>Not there</source>
+        <translation>Nie znaleziono</translation>
+    </message>
+    <message>
+        <source>What this page is about is not in the store.</source>
+        <translation>W bazie nie ma tego, czego dotyczy ta strona.</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Chwilowo niedostępne</translation>
+    </message>
+    <message>
+        <source>The store cannot be reached at the moment. Try again.</source>
+        <translation>Baza jest w tej chwili nieosiągalna. Spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>Something is wrong</source>
+        <translation>Wystąpił błąd</translation>
+    </message>
+    <message>
+        <source>The store cannot be read. Whoever runs this computer finds the reason in the program&apos;s log.</source>
+        <translation>Nie można odczytać bazy. Przyczynę znajdzie w dzienniku programu osoba, która zarządza tym komputerem.</translation>
+    </message>
+    <message>
+        <source>The page could not be made. Whoever runs this computer finds the reason in the program&apos;s log.</source>
+        <translation>Nie udało się utworzyć strony. Przyczynę znajdzie w dzienniku programu osoba, która zarządza tym komputerem.</translation>
+    </message>
+    <message>
+        <source>There is no such page.</source>
+        <translation>Nie ma takiej strony.</translation>
+    </message>
+    <message>
+        <source>For reading only</source>
+        <translation>Tylko do odczytu</translation>
+    </message>
+    <message>
+        <source>Nothing can be sent to this page.</source>
+        <translation>Na tę stronę nie można niczego wysłać.</translation>
+    </message>
+    <message>
+        <source>Too long</source>
+        <translation>Zbyt długie żądanie</translation>
+    </message>
+    <message>
+        <source>The request is longer than any page asks for.</source>
+        <translation>Żądanie jest dłuższe, niż potrzebuje jakakolwiek strona.</translation>
+    </message>
+    <message>
+        <source>Not understood</source>
+        <translation>Niezrozumiałe żądanie</translation>
+    </message>
+    <message>
+        <source>The request cannot be read.</source>
+        <translation>Nie można odczytać żądania.</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Zaliczone</translation>
+    </message>
+    <message>
+        <source>Not yet</source>
+        <translation>Jeszcze nie</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Niezaliczone</translation>
+    </message>
+    <message>
+        <source>Not attempted</source>
+        <translation>Nic nie zrobiono</translation>
+    </message>
+    <message>
+        <source>does not count</source>
+        <translation>nie liczy się</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION</source>
+        <translation>DEMONSTRACJA</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION, simulated data</source>
+        <translation>DEMONSTRACJA, dane symulowane</translation>
+    </message>
+    <message>
+        <source>not tried</source>
+        <translation>bez prób</translation>
+    </message>
+    <message>
+        <source>learning</source>
+        <translation>uczy się</translation>
+    </message>
+    <message>
+        <source>passing</source>
+        <translation>zalicza</translation>
+    </message>
+    <message>
+        <source>regressed</source>
+        <translation>regres</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>zastój</translation>
+    </message>
+    <message>
+        <source>Stuck: none of the last %1 attempts passed and no gain of %2 points. Regressed: passed before, but neither of the last two attempts.</source>
+        <translation>Zastój: żadnej z ostatnich %1 prób nie zaliczono i wynik nie wzrósł o %2 punkty. Regres: wcześniej zaliczano, ale żadnej z ostatnich dwóch prób nie zaliczono.</translation>
+    </message>
+    <message>
+        <source>trainee</source>
+        <translation>uczestnik szkolenia</translation>
+    </message>
+    <message>
+        <source>educator</source>
+        <translation>instruktor</translation>
+    </message>
+    <message>
+        <source>coordinator</source>
+        <translation>koordynator</translation>
+    </message>
+    <message>
+        <source>administrator</source>
+        <translation>administrator</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>numer %1</translation>
+    </message>
+    <message>
+        <source>Pages of the list</source>
+        <translation>Strony listy</translation>
+    </message>
+    <message>
+        <source>← Before</source>
+        <translation>← Poprzednie</translation>
+    </message>
+    <message>
+        <source>Next →</source>
+        <translation>Następne →</translation>
+    </message>
+    <message>
+        <source>%1 to %2 of %3</source>
+        <translation>%1 do %2 z %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Pokaż</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupa</translation>
+    </message>
+    <message>
+        <source>Everybody</source>
+        <translation>Wszyscy</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Osoba</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkty</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>punkty</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ocena</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Powód</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stan</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednostka</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Ostatni wynik</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Najlepszy wynik</translation>
+    </message>
+    <message>
+        <source>Last on</source>
+        <translation>Ostatnia próba</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>Postęp</translation>
+    </message>
+    <message>
+        <source>There are no attempts yet.</source>
+        <translation>Nie ma jeszcze prób.</translation>
+    </message>
+    <message>
+        <source>There is no such person.</source>
+        <translation>Nie ma takiej osoby.</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>Próba</translation>
+    </message>
+    <message>
+        <source>Attempt %1</source>
+        <translation>Próba %1</translation>
+    </message>
+    <message>
+        <source>Attempt #%1</source>
+        <translation>Próba nr %1</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points</source>
+        <translation>%1 na 100 punktów</translation>
+    </message>
+    <message>
+        <source>Started</source>
+        <translation>Rozpoczęto</translation>
+    </message>
+    <message>
+        <source>Started (UTC)</source>
+        <translation>Rozpoczęto (UTC)</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Czas trwania</translation>
+    </message>
+    <message>
+        <source>Why it does not count</source>
+        <translation>Dlaczego się nie liczy</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s), newest first</source>
+        <translation>
+            <numerusform>%n próba, od najnowszej</numerusform>
+            <numerusform>%n próby, od najnowszej</numerusform>
+            <numerusform>%n prób, od najnowszej</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no attempts here.</source>
+        <translation>Nie ma tu prób.</translation>
+    </message>
+    <message>
+        <source>All tasks</source>
+        <translation>Wszystkie zadania</translation>
+    </message>
+    <message>
+        <source>Attempts of %1</source>
+        <translation>Próby: %1</translation>
+    </message>
+    <message>
+        <source>%1 only</source>
+        <translation>tylko %1</translation>
+    </message>
+    <message>
+        <source>all tasks</source>
+        <translation>wszystkie zadania</translation>
+    </message>
+    <message>
+        <source>It counts.</source>
+        <translation>Liczy się.</translation>
+    </message>
+    <message>
+        <source>It does not count: %1.</source>
+        <translation>Nie liczy się: %1.</translation>
+    </message>
+    <message>
+        <source>About it</source>
+        <translation>O tej próbie</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Uczestnik badania</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Zakończenie</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>trwa</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>zakończona</translation>
+    </message>
+    <message>
+        <source>time limit</source>
+        <translation>limit czasu</translation>
+    </message>
+    <message>
+        <source>closed@attempt</source>
+        <translation>zatrzymana</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>przerwana</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Urządzenie</translation>
+    </message>
+    <message>
+        <source>mouse</source>
+        <translation>mysz</translation>
+    </message>
+    <message>
+        <source>keyboard</source>
+        <translation>klawiatura</translation>
+    </message>
+    <message>
+        <source>gamepad</source>
+        <translation>pad</translation>
+    </message>
+    <message>
+        <source>scripted expert</source>
+        <translation>program: ekspert</translation>
+    </message>
+    <message>
+        <source>scripted intermediate</source>
+        <translation>program: średnio zaawansowany</translation>
+    </message>
+    <message>
+        <source>scripted novice</source>
+        <translation>program: początkujący</translation>
+    </message>
+    <message>
+        <source>Exam</source>
+        <translation>Egzamin</translation>
+    </message>
+    <message>
+        <source>Proctor</source>
+        <translation>Osoba nadzorująca</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Oznaczenie</translation>
+    </message>
+    <message>
+        <source>Scored by</source>
+        <translation>Kryteria oceny</translation>
+    </message>
+    <message>
+        <source>%1 %2, metric set %3</source>
+        <translation>%1 %2, zestaw miar %3</translation>
+    </message>
+    <message>
+        <source>What cost points</source>
+        <translation>Co kosztowało punkty</translation>
+    </message>
+    <message>
+        <source>No point was lost.</source>
+        <translation>Bez straty punktów.</translation>
+    </message>
+    <message>
+        <source>Reasons, the most costly first</source>
+        <translation>Powody, od najkosztowniejszego</translation>
+    </message>
+    <message>
+        <source>At@time</source>
+        <translation>Czas</translation>
+    </message>
+    <message>
+        <source>critical</source>
+        <translation>krytyczne</translation>
+    </message>
+    <message>
+        <source>Damage ledger</source>
+        <translation>Rejestr uszkodzeń</translation>
+    </message>
+    <message>
+        <source>Nothing was harmed that the ledger watches.</source>
+        <translation>Nie uszkodzono niczego, co śledzi rejestr.</translation>
+    </message>
+    <message>
+        <source>Damage ledger on a time line</source>
+        <translation>Rejestr uszkodzeń na osi czasu</translation>
+    </message>
+    <message>
+        <source>Phases above, one lane for each kind of harm; the table below lists the entries.</source>
+        <translation>U góry fazy, niżej osobny pas dla każdego rodzaju uszkodzeń; wpisy wymienia tabela poniżej.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entry(ies) of the damage ledger</source>
+        <translation>
+            <numerusform>%n wpis w rejestrze uszkodzeń</numerusform>
+            <numerusform>%n wpisy w rejestrze uszkodzeń</numerusform>
+            <numerusform>%n wpisów w rejestrze uszkodzeń</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Co się stało</translation>
+    </message>
+    <message>
+        <source>%1 o&apos;clock</source>
+        <translation>godzina %1</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Miary</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Miara</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Co zmierzono</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wartość</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Obszar</translation>
+    </message>
+    <message>
+        <source>None was kept.</source>
+        <translation>Nie zachowano żadnych.</translation>
+    </message>
+    <message>
+        <source>Time and view</source>
+        <translation>Czas i widok</translation>
+    </message>
+    <message>
+        <source>Incision</source>
+        <translation>Nacięcie</translation>
+    </message>
+    <message>
+        <source>Placode@part</source>
+        <translation>Płytka nerwowa</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Tkanka</translation>
+    </message>
+    <message>
+        <source>Grasping and resection</source>
+        <translation>Chwytanie i wycięcie</translation>
+    </message>
+    <message>
+        <source>Energy and heat</source>
+        <translation>Energia i ciepło</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Siła</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Ruch</translation>
+    </message>
+    <message>
+        <source>Both hands</source>
+        <translation>Obie ręce</translation>
+    </message>
+    <message>
+        <source>Steps of the exercise</source>
+        <translation>Kroki ćwiczenia</translation>
+    </message>
+    <message>
+        <source>Needle and thread</source>
+        <translation>Igła i nić</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Uwagi</translation>
+    </message>
+    <message>
+        <source>(a mark)</source>
+        <translation>(zaznaczenie)</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>w chwili %1</translation>
+    </message>
+    <message>
+        <source>Nobody has remarked on it.</source>
+        <translation>Nie ma uwag do tej próby.</translation>
+    </message>
+    <message>
+        <source>Later scores</source>
+        <translation>Późniejsze oceny</translation>
+    </message>
+    <message>
+        <source>Later scores; the first one never changes</source>
+        <translation>Późniejsze oceny; pierwsza nigdy się nie zmienia</translation>
+    </message>
+    <message>
+        <source>Scored on</source>
+        <translation>Oceniono</translation>
+    </message>
+    <message>
+        <source>Rubric</source>
+        <translation>Kryteria</translation>
+    </message>
+    <message>
+        <source>People by tasks</source>
+        <translation>Osoby i zadania</translation>
+    </message>
+    <message>
+        <source>Who needs help</source>
+        <translation>Kto potrzebuje pomocy</translation>
+    </message>
+    <message>
+        <source>Due for a refresher</source>
+        <translation>Do odświeżenia</translation>
+    </message>
+    <message>
+        <source>Scores of a task</source>
+        <translation>Wyniki zadania</translation>
+    </message>
+    <message>
+        <source>Nobody here has an attempt that counts.</source>
+        <translation>Nikt tu nie ma próby, która się liczy.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s) with attempts</source>
+        <translation>
+            <numerusform>%n osoba z próbami</numerusform>
+            <numerusform>%n osoby z próbami</numerusform>
+            <numerusform>%n osób z próbami</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Ostatnio</translation>
+    </message>
+    <message>
+        <source>Last score, standing and number of attempts.</source>
+        <translation>Ostatni wynik, postęp i liczba prób.</translation>
+    </message>
+    <message>
+        <source>%1 stuck, %2 regressed; who is stuck stands first</source>
+        <translation>Zastój: %1, regres: %2; najpierw zastój</translation>
+    </message>
+    <message>
+        <source>Nobody is stuck or regressed.</source>
+        <translation>Nikt nie utknął ani się nie cofnął.</translation>
+    </message>
+    <message>
+        <source>It points at people to look at and does not judge them.</source>
+        <translation>To wskazówka, komu warto się przyjrzeć, a nie ocena tych osób.</translation>
+    </message>
+    <message>
+        <source>Not practised for</source>
+        <translation>Bez ćwiczeń</translation>
+    </message>
+    <message>
+        <source>1 month or longer</source>
+        <translation>od miesiąca lub dłużej</translation>
+    </message>
+    <message>
+        <source>5 months or longer</source>
+        <translation>od 5 miesięcy lub dłużej</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s) and task(s) passed once and not practised since, the longest first</source>
+        <translation>
+            <numerusform>%n pozycja: zadanie zaliczone, a potem niećwiczone, od najdłuższej przerwy</numerusform>
+            <numerusform>%n pozycje: zadania zaliczone, a potem niećwiczone, od najdłuższej przerwy</numerusform>
+            <numerusform>%n pozycji: zadania zaliczone, a potem niećwiczone, od najdłuższej przerwy</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>Zaległość</translation>
+    </message>
+    <message>
+        <source>Days ago</source>
+        <translation>Dni temu</translation>
+    </message>
+    <message>
+        <source>since 5 months</source>
+        <translation>od 5 miesięcy</translation>
+    </message>
+    <message>
+        <source>since 1 month</source>
+        <translation>od miesiąca</translation>
+    </message>
+    <message>
+        <source>Nobody is due.</source>
+        <translation>Nikt nie ma zaległości.</translation>
+    </message>
+    <message>
+        <source>A month is 30 days and counts from the last attempt that counts, of tasks with at least one pass. When a stage of a course is to be refreshed by the course&apos;s own rule stands on the person&apos;s page.</source>
+        <translation>Miesiąc to 30 dni od ostatniej próby, która się liczy, w zadaniach zaliczonych co najmniej raz. Kiedy etap kursu trzeba odświeżyć według zasad samego kursu, podaje strona osoby.</translation>
+    </message>
+    <message>
+        <source>first attempt</source>
+        <translation>pierwsza próba</translation>
+    </message>
+    <message>
+        <source>last attempt</source>
+        <translation>ostatnia próba</translation>
+    </message>
+    <message>
+        <source>best attempt</source>
+        <translation>najlepsza próba</translation>
+    </message>
+    <message>
+        <source>Nobody here has an attempt at it that counts.</source>
+        <translation>Nikt tu nie ma próby tego zadania, która się liczy.</translation>
+    </message>
+    <message>
+        <source>Scores: %1</source>
+        <translation>Wyniki: %1</translation>
+    </message>
+    <message>
+        <source>score [points of 100]</source>
+        <translation>wynik [punkty na 100]</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s). Every point is a person; box: quartiles, line: median, diamond: mean.</source>
+        <translation>
+            <numerusform>%n osoba. Każdy punkt to osoba; prostokąt: kwartyle, linia: mediana, romb: średnia.</numerusform>
+            <numerusform>%n osoby. Każdy punkt to osoba; prostokąt: kwartyle, linia: mediana, romb: średnia.</numerusform>
+            <numerusform>%n osób. Każdy punkt to osoba; prostokąt: kwartyle, linia: mediana, romb: średnia.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Where to</source>
+        <translation>Dokąd dalej</translation>
+    </message>
+    <message>
+        <source>%1: everybody by tasks, %2, %3</source>
+        <translation>%1: wszyscy według zadań, %2, %3</translation>
+    </message>
+    <message>
+        <source>who needs help</source>
+        <translation>kto potrzebuje pomocy</translation>
+    </message>
+    <message>
+        <source>who is due for a refresher</source>
+        <translation>kto powinien odświeżyć umiejętności</translation>
+    </message>
+    <message>
+        <source>%1: flow, completeness, double entry, deviations, locks</source>
+        <translation>%1: przebieg, kompletność, podwójne wprowadzanie, odstępstwa, blokady</translation>
+    </message>
+    <message>
+        <source>%1: accounts, roles, groups</source>
+        <translation>%1: konta, role, grupy</translation>
+    </message>
+    <message>
+        <source>account closed</source>
+        <translation>konto wyłączone</translation>
+    </message>
+    <message>
+        <source>Courses</source>
+        <translation>Kursy</translation>
+    </message>
+    <message>
+        <source>No course is assigned.</source>
+        <translation>Nie przydzielono kursu.</translation>
+    </message>
+    <message>
+        <source>Certificate %1 of %2.</source>
+        <translation>Certyfikat %1, wydano %2.</translation>
+    </message>
+    <message>
+        <source>Stages of %1</source>
+        <translation>Etapy: %1</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Etap</translation>
+    </message>
+    <message>
+        <source>(exam)</source>
+        <translation>(egzamin)</translation>
+    </message>
+    <message>
+        <source>Met in a row</source>
+        <translation>Z rzędu</translation>
+    </message>
+    <message>
+        <source>Benchmark</source>
+        <translation>Próg</translation>
+    </message>
+    <message>
+        <source>Attempts that count</source>
+        <translation>Liczące się próby</translation>
+    </message>
+    <message>
+        <source>Mastered on</source>
+        <translation>Zaliczono</translation>
+    </message>
+    <message>
+        <source>Refresh from</source>
+        <translation>Odświeżyć od</translation>
+    </message>
+    <message>
+        <source>refresher due</source>
+        <translation>do odświeżenia</translation>
+    </message>
+    <message>
+        <source>mastered</source>
+        <translation>zaliczony</translation>
+    </message>
+    <message>
+        <source>open@stage</source>
+        <translation>otwarty</translation>
+    </message>
+    <message>
+        <source>attempts used up</source>
+        <translation>próby wykorzystane</translation>
+    </message>
+    <message>
+        <source>locked@stage</source>
+        <translation>zamknięty</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Zadania</translation>
+    </message>
+    <message>
+        <source>No attempt counts yet.</source>
+        <translation>Żadna próba jeszcze się nie liczy.</translation>
+    </message>
+    <message>
+        <source>Where this person stands in each task</source>
+        <translation>Postępy w poszczególnych zadaniach</translation>
+    </message>
+    <message>
+        <source>Mean of last 3</source>
+        <translation>Średnia z 3 ostatnich</translation>
+    </message>
+    <message>
+        <source>Open a task to see its learning curve.</source>
+        <translation>Otwórz zadanie, aby zobaczyć krzywą uczenia.</translation>
+    </message>
+    <message>
+        <source>Newest attempts</source>
+        <translation>Najnowsze próby</translation>
+    </message>
+    <message numerus="yes">
+        <source>All of them: %n attempt(s)</source>
+        <translation>
+            <numerusform>Wszystkie: %n próba</numerusform>
+            <numerusform>Wszystkie: %n próby</numerusform>
+            <numerusform>Wszystkie: %n prób</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Learning curve</source>
+        <translation>Krzywa uczenia</translation>
+    </message>
+    <message>
+        <source>Learning curve: %1</source>
+        <translation>Krzywa uczenia: %1</translation>
+    </message>
+    <message>
+        <source>Scores over attempts and, below, the CUSUM of attempts that were not passed (Bolsin &amp; Colson 2000) with its limits; p0 %1, p1 %2, alpha %3, beta %4.</source>
+        <translation>Wyniki kolejnych prób, a poniżej CUSUM niezaliczonych prób (Bolsin i Colson 2000) z granicami; p0 %1, p1 %2, alfa %3, beta %4.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s), last %1, best %2, pass mark %3</source>
+        <translation>
+            <numerusform>%n próba, ostatni wynik %1, najlepszy %2, próg zaliczenia %3</numerusform>
+            <numerusform>%n próby, ostatni wynik %1, najlepszy %2, próg zaliczenia %3</numerusform>
+            <numerusform>%n prób, ostatni wynik %1, najlepszy %2, próg zaliczenia %3</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The attempts behind it</source>
+        <translation>Próby, z których powstała</translation>
+    </message>
+    <message>
+        <source>This person has no attempt at that task that counts.</source>
+        <translation>Ta osoba nie ma próby tego zadania, która się liczy.</translation>
+    </message>
+    <message>
+        <source>Name or log-in</source>
+        <translation>Nazwisko lub login</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Szukaj</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n account(s)</source>
+        <translation>
+            <numerusform>%n konto</numerusform>
+            <numerusform>%n konta</numerusform>
+            <numerusform>%n kont</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Log-in</source>
+        <translation>Login</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Role</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupy</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Od</translation>
+    </message>
+    <message>
+        <source>%1 (teaches)</source>
+        <translation>%1 (prowadzi)</translation>
+    </message>
+    <message>
+        <source>open@account</source>
+        <translation>włączone</translation>
+    </message>
+    <message>
+        <source>closed@account</source>
+        <translation>wyłączone</translation>
+    </message>
+    <message>
+        <source>Nobody has that name.</source>
+        <translation>Nikogo nie znaleziono.</translation>
+    </message>
+    <message>
+        <source>Pass marks that hold now</source>
+        <translation>Obowiązujące progi zaliczenia</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Próg zaliczenia</translation>
+    </message>
+    <message>
+        <source>Set on</source>
+        <translation>Ustalono</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Kto ustalił</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Podstawa</translation>
+    </message>
+    <message>
+        <source>the task&apos;s own mark</source>
+        <translation>własny próg zadania</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n judge(s), standard error %1</source>
+        <translation>
+            <numerusform>%n sędzia, błąd standardowy %1</numerusform>
+            <numerusform>%n sędziów, błąd standardowy %1</numerusform>
+            <numerusform>%n sędziów, błąd standardowy %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>contrasting groups, novices: %1, experts: %2; novices who pass: %3 % by the curves, %4 % observed</source>
+        <translation>grupy kontrastowe, początkujący: %1, eksperci: %2; początkujący powyżej progu: %3 % z krzywych, %4 % zaobserwowano</translation>
+    </message>
+    <message>
+        <source>An attempt keeps the verdict of its day. Standards are set in Placode, on the page Standards.</source>
+        <translation>Próba zachowuje ocenę z dnia wykonania. Progi ustala się w Placode, na stronie Progi.</translation>
+    </message>
+    <message>
+        <source>Norm packs</source>
+        <translation>Pakiety norm</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Ośrodek</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Utworzono</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Klucz</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Użycie</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>w użyciu</translation>
+    </message>
+    <message>
+        <source>There are no packs yet.</source>
+        <translation>Nie ma jeszcze pakietów.</translation>
+    </message>
+    <message>
+        <source>Bands of persons&apos; means, never of fewer than %1 people and never a single attempt, signed by their centre.</source>
+        <translation>Pasma średnich osób, nigdy z mniej niż %1 osób i nigdy z pojedynczej próby, podpisane przez ośrodek.</translation>
+    </message>
+    <message>
+        <source>Norms: %1</source>
+        <translation>Normy: %1</translation>
+    </message>
+    <message>
+        <source>All packs</source>
+        <translation>Wszystkie pakiety</translation>
+    </message>
+    <message>
+        <source>%1, made on %2, rubric %3 %4</source>
+        <translation>%1, utworzono %2, kryteria %3 %4</translation>
+    </message>
+    <message>
+        <source>experts</source>
+        <translation>eksperci</translation>
+    </message>
+    <message>
+        <source>novices</source>
+        <translation>początkujący</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n person(s)</source>
+        <translation>
+            <numerusform>%1: %n osoba</numerusform>
+            <numerusform>%1: %n osoby</numerusform>
+            <numerusform>%1: %n osób</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n attempt(s)</source>
+        <translation>
+            <numerusform>%1, %n próba</numerusform>
+            <numerusform>%1, %n próby</numerusform>
+            <numerusform>%1, %n prób</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Średnia</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>SD</translation>
+    </message>
+    <message>
+        <source>There is no such norm pack.</source>
+        <translation>Nie ma takiego pakietu norm.</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Badanie</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Identyfikator</translation>
+    </message>
+    <message>
+        <source>Studies with participants or a published protocol</source>
+        <translation>Badania z uczestnikami lub opublikowanym protokołem</translation>
+    </message>
+    <message>
+        <source>There is no study yet.</source>
+        <translation>Nie ma jeszcze badań.</translation>
+    </message>
+    <message>
+        <source>There is no such study.</source>
+        <translation>Nie ma takiego badania.</translation>
+    </message>
+    <message>
+        <source>Nobody takes part yet.</source>
+        <translation>Nikt jeszcze nie bierze udziału.</translation>
+    </message>
+    <message>
+        <source>Flow and records</source>
+        <translation>Przebieg i rekordy</translation>
+    </message>
+    <message>
+        <source>Double entry and corrections</source>
+        <translation>Podwójne wprowadzanie i poprawki</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Odstępstwa</translation>
+    </message>
+    <message>
+        <source>At a glance</source>
+        <translation>W skrócie</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Uczestnicy</translation>
+    </message>
+    <message>
+        <source>Complete@participants</source>
+        <translation>Kompletni</translation>
+    </message>
+    <message>
+        <source>Withdrew@participants</source>
+        <translation>Wycofani</translation>
+    </message>
+    <message>
+        <source>Locked@records</source>
+        <translation>Zablokowane rekordy</translation>
+    </message>
+    <message>
+        <source>Signed@records</source>
+        <translation>Podpisane rekordy</translation>
+    </message>
+    <message>
+        <source>Open differences</source>
+        <translation>Otwarte różnice</translation>
+    </message>
+    <message>
+        <source>Corrections</source>
+        <translation>Poprawki</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Przepływ</translation>
+    </message>
+    <message>
+        <source>Flow of participants</source>
+        <translation>Przepływ uczestników</translation>
+    </message>
+    <message>
+        <source>Flow of participants.</source>
+        <translation>Przepływ uczestników.</translation>
+    </message>
+    <message>
+        <source>enrolled</source>
+        <translation>włączeni</translation>
+    </message>
+    <message>
+        <source>withdrew, data not used or erased</source>
+        <translation>wycofani, dane nieużywane lub usunięte</translation>
+    </message>
+    <message>
+        <source>withdrew, data to date are used</source>
+        <translation>wycofani, dotychczasowe dane używane</translation>
+    </message>
+    <message>
+        <source>consented</source>
+        <translation>wyrazili zgodę</translation>
+    </message>
+    <message>
+        <source>answers or attempts analysed</source>
+        <translation>odpowiedzi lub próby w analizie</translation>
+    </message>
+    <message>
+        <source>Records</source>
+        <translation>Rekordy</translation>
+    </message>
+    <message>
+        <source>Records by code</source>
+        <translation>Rekordy według kodów</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Kod</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Kroki</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Krok</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>Następny krok</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Odpowiedzi</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Rekord</translation>
+    </message>
+    <message>
+        <source>Last step on</source>
+        <translation>Ostatni krok</translation>
+    </message>
+    <message>
+        <source>open@record</source>
+        <translation>otwarty</translation>
+    </message>
+    <message>
+        <source>locked@record</source>
+        <translation>zablokowany</translation>
+    </message>
+    <message>
+        <source>locked and signed</source>
+        <translation>zablokowany i podpisany</translation>
+    </message>
+    <message>
+        <source>CHANGED AFTER THE SIGNATURE</source>
+        <translation>ZMIENIONY PO PODPISANIU</translation>
+    </message>
+    <message>
+        <source>withdrew</source>
+        <translation>wycofanie</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>ukończone</translation>
+    </message>
+    <message>
+        <source>under way</source>
+        <translation>w toku</translation>
+    </message>
+    <message>
+        <source>to be done again: %1</source>
+        <translation>do powtórzenia: %1</translation>
+    </message>
+    <message>
+        <source>Double entry</source>
+        <translation>Podwójne wprowadzanie</translation>
+    </message>
+    <message>
+        <source>%1: double entry</source>
+        <translation>%1: podwójne wprowadzanie</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) was (were) typed a second time.</source>
+        <translation>
+            <numerusform>Drugi raz wpisano %n arkusz.</numerusform>
+            <numerusform>Drugi raz wpisano %n arkusze.</numerusform>
+            <numerusform>Drugi raz wpisano %n arkuszy.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n open difference(s)</source>
+        <translation>
+            <numerusform>%n otwarta różnica</numerusform>
+            <numerusform>%n otwarte różnice</numerusform>
+            <numerusform>%n otwartych różnic</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There are no open differences.</source>
+        <translation>Nie ma otwartych różnic.</translation>
+    </message>
+    <message>
+        <source>Questionnaire</source>
+        <translation>Kwestionariusz</translation>
+    </message>
+    <message>
+        <source>Item</source>
+        <translation>Pytanie</translation>
+    </message>
+    <message>
+        <source>First entry</source>
+        <translation>Pierwsze wprowadzenie</translation>
+    </message>
+    <message>
+        <source>Second entry</source>
+        <translation>Drugie wprowadzenie</translation>
+    </message>
+    <message>
+        <source>Corrections, with the old answer</source>
+        <translation>Poprawki, z poprzednią odpowiedzią</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Dnia</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Przed</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Po</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>Brak.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n deviation(s) or note(s)</source>
+        <translation>
+            <numerusform>%n odstępstwo lub uwaga</numerusform>
+            <numerusform>%n odstępstwa i uwagi</numerusform>
+            <numerusform>%n odstępstw i uwag</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: deviations</source>
+        <translation>%1: odstępstwa</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Rodzaj</translation>
+    </message>
+    <message>
+        <source>visit %1</source>
+        <translation>wizyta %1</translation>
+    </message>
+    <message>
+        <source>All went as the protocol says.</source>
+        <translation>Wszystko przebiegło zgodnie z protokołem.</translation>
+    </message>
+    <message>
+        <source>Nobody writes these down: they follow from steps, attempts and the events of their recordings. Notes are the coordinator&apos;s.</source>
+        <translation>Nikt ich nie wpisuje: wynikają z kroków, prób i zdarzeń w nagraniach. Uwagi pochodzą od koordynatora.</translation>
+    </message>
+    <message>
+        <source>Review of attempt #%1</source>
+        <translation>Przegląd próby #%1</translation>
+    </message>
+    <message>
+        <source>Review of attempt %1</source>
+        <translation>Przegląd próby %1</translation>
+    </message>
+    <message>
+        <source>Back to the attempt</source>
+        <translation>Wróć do próby</translation>
+    </message>
+    <message>
+        <source>Look at it in 3D</source>
+        <translation>Obejrzyj w 3D</translation>
+    </message>
+    <message>
+        <source>The recording is being simulated again: %1 %.</source>
+        <translation>Nagranie jest symulowane ponownie: %1 %.</translation>
+    </message>
+    <message>
+        <source>Another recording is being simulated first.</source>
+        <translation>Najpierw symulowane jest inne nagranie.</translation>
+    </message>
+    <message>
+        <source>Several recordings wait to be simulated. This page asks again by itself.</source>
+        <translation>Kilka nagrań czeka na symulację. Ta strona sama zapyta ponownie.</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Zasymulowano</translation>
+    </message>
+    <message>
+        <source>It takes about as long as the attempt, once. The page shows it by itself.</source>
+        <translation>Trwa to mniej więcej tyle co próba, jeden raz. Strona pokaże ją sama.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Odtwórz</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Zatrzymaj</translation>
+    </message>
+    <message>
+        <source>The track is not in memory any more, or you are signed out. Load the page again.</source>
+        <translation>Zapisu nie ma już w pamięci albo nastąpiło wylogowanie. Wczytaj stronę ponownie.</translation>
+    </message>
+    <message>
+        <source>This browser cannot show it: it needs WebGL 2 and DecompressionStream.</source>
+        <translation>Ta przeglądarka nie może tego pokazać: potrzebne są WebGL 2 i DecompressionStream.</translation>
+    </message>
+    <message>
+        <source>Picture of the attempt. Arrow keys turn it, plus and minus bring it nearer.</source>
+        <translation>Obraz próby. Strzałki obracają, plus i minus przybliżają i oddalają.</translation>
+    </message>
+    <message>
+        <source>Time in the attempt</source>
+        <translation>Czas próby</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>As the fetoscope saw it</source>
+        <translation>Jak widział fetoskop</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Z góry</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>Z boku</translation>
+    </message>
+    <message>
+        <source>Free: drag to turn, wheel to come nearer</source>
+        <translation>Swobodna: przeciągnij, aby obrócić, kółko przybliża</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>The picture needs JavaScript.</source>
+        <translation>Obraz wymaga JavaScriptu.</translation>
+    </message>
+    <message>
+        <source>Moments; a click leads there</source>
+        <translation>Chwile; kliknięcie prowadzi do nich</translation>
+    </message>
+    <message>
+        <source>Moments</source>
+        <translation>Chwile</translation>
+    </message>
+    <message>
+        <source>Nothing was noted.</source>
+        <translation>Niczego nie odnotowano.</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>zgodne</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>różni się</translation>
+    </message>
+    <message>
+        <source>Simulated again from its recording: every recorded state came out the same.</source>
+        <translation>Zasymulowano ponownie z nagrania: każdy zapisany stan wyszedł taki sam.</translation>
+    </message>
+    <message>
+        <source>Simulated again from its recording, it differs from %1 on. What is shown ends there. Another version of the program may be the cause.</source>
+        <translation>Ponowna symulacja nagrania różni się od %1. Obraz kończy się w tym miejscu. Przyczyną może być inna wersja programu.</translation>
+    </message>
+    <message>
+        <source>Shapes, burns, cuts and instruments are those of the simulation; colours are plain. Blue: planned line, yellow: tissue to be taken out, until it is cut there.</source>
+        <translation>Kształty, oparzenia, cięcia i narzędzia pochodzą z symulacji; kolory są uproszczone. Niebieska: planowana linia, żółta: tkanka do usunięcia, dopóki nie ma tam cięcia.</translation>
+    </message>
+    <message>
+        <source>The attempt is longer than an hour; look at it in the program on the station.</source>
+        <translation>Próba trwa ponad godzinę; obejrzyj ją w programie na stanowisku.</translation>
+    </message>
+    <message>
+        <source>The attempt was kept without its recording.</source>
+        <translation>Próbę zapisano bez nagrania.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be simulated by this version of the program.</source>
+        <translation>Ta wersja programu nie może zasymulować tego nagrania.</translation>
+    </message>
+    <message>
+        <source>Not signed in</source>
+        <translation>Nie zalogowano</translation>
+    </message>
+    <message>
+        <source>Signed in</source>
+        <translation>Zalogowano</translation>
+    </message>
+    <message>
+        <source>You are signed in as %1.</source>
+        <translation>Zalogowano jako %1.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>Not known here yet</source>
+        <translation>Konto jeszcze nieznane</translation>
+    </message>
+    <message>
+        <source>The platform&apos;s answer is incomplete or cannot be read.</source>
+        <translation>Odpowiedź platformy jest niepełna albo nie da się jej odczytać.</translation>
+    </message>
+    <message>
+        <source>The platform&apos;s answer is not signed with RS256.</source>
+        <translation>Odpowiedź platformy nie jest podpisana algorytmem RS256.</translation>
+    </message>
+    <message>
+        <source>The platform&apos;s answer is signed with a key that the platform does not publish, or its keys cannot be read now. Try again in a minute.</source>
+        <translation>Odpowiedź platformy podpisano kluczem, którego platforma nie ogłasza, albo jej kluczy nie można teraz odczytać. Spróbuj ponownie za minutę.</translation>
+    </message>
+    <message>
+        <source>The signature of the platform&apos;s answer is wrong.</source>
+        <translation>Podpis odpowiedzi platformy jest nieprawidłowy.</translation>
+    </message>
+    <message>
+        <source>The answer comes from another platform than the one that was asked.</source>
+        <translation>Odpowiedź pochodzi z innej platformy niż zapytana.</translation>
+    </message>
+    <message>
+        <source>The platform&apos;s answer is for another tool.</source>
+        <translation>Odpowiedź platformy jest przeznaczona dla innego narzędzia.</translation>
+    </message>
+    <message>
+        <source>The platform&apos;s answer is too old, or the clocks of platform and portal differ. Start again from your course.</source>
+        <translation>Odpowiedź platformy jest za stara albo zegary platformy i portalu się różnią. Zacznij ponownie ze swojego kursu.</translation>
+    </message>
+    <message>
+        <source>The platform&apos;s answer belongs to another sign-in. Start again from your course.</source>
+        <translation>Odpowiedź platformy należy do innego logowania. Zacznij ponownie ze swojego kursu.</translation>
+    </message>
+    <message>
+        <source>This deployment of the platform is not registered here.</source>
+        <translation>To wdrożenie platformy nie jest tu zarejestrowane.</translation>
+    </message>
+    <message>
+        <source>From a platform, links to this portal can be opened by LTI 1.3, and nothing else.</source>
+        <translation>Z platformy można otwierać odnośniki do tego portalu przez LTI 1.3 i nic poza tym.</translation>
+    </message>
+    <message>
+        <source>The platform did not say who you are.</source>
+        <translation>Platforma nie podała, kim jesteś.</translation>
+    </message>
+    <message>
+        <source>Nobody has said yet which account of Placode is yours. Give an administrator of Placode this address and this number of yours:</source>
+        <translation>Nikt jeszcze nie wskazał, które konto Placode jest Twoje. Podaj administratorowi Placode ten adres i ten swój numer:</translation>
+    </message>
+    <message>
+        <source>This platform is not registered here.</source>
+        <translation>Ta platforma nie jest tu zarejestrowana.</translation>
+    </message>
+    <message>
+        <source>This sign-in is too old or was used already. Start again from your course.</source>
+        <translation>To logowanie jest za stare albo zostało już użyte. Zacznij ponownie ze swojego kursu.</translation>
+    </message>
+    <message>
+        <source>This sign-in began in another browser, or cookies are off. Start again from your course.</source>
+        <translation>To logowanie zaczęto w innej przeglądarce albo ciasteczka są wyłączone. Zacznij ponownie ze swojego kursu.</translation>
+    </message>
+    <message>
+        <source>The platform did not sign you in: %1</source>
+        <translation>Platforma nie potwierdziła logowania: %1</translation>
+    </message>
+    <message>
+        <source>The account that you are linked with is closed or was changed. Ask an administrator of Placode.</source>
+        <translation>Konto, z którym Cię powiązano, jest zamknięte albo zostało zmienione. Zapytaj administratora Placode.</translation>
+    </message>
+    <message>
+        <source>Administrators sign in with their password.</source>
+        <translation>Administratorzy logują się swoim hasłem.</translation>
     </message>
 </context>
 </TS>
