@@ -4,11 +4,10 @@
 #include "sim/cutting/pieces.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/cutting/attempt_progress.h"
-#include "sim/cutting/cutting.h"
 #include "sim/cutting/linked_tets.h"
+#include "sim/cutting/piece_fate.h"
 #include "sim/cutting/release.h"
 #include "sim/solver/topology.h"
 #include "sim/world/add_event.h"
@@ -19,65 +18,8 @@ namespace placode::sim {
 namespace {
 
 constexpr int kFloodPerFrame = 2500;
-constexpr int kRemovedPerFrame = 8;
 constexpr double kCrumb = 0.3e-9;       // smaller pieces are washed away [m^3]
-constexpr double kOutShare = 0.62;      // of the way from lesion to port left: the piece is out
-constexpr int kGroundCells = 64;        // heightmap of kGroundCell cells around the lesion
-constexpr double kGroundCell = 0.001;   // [m]
-constexpr float kLying = 1e-4F;         // this near to the field's height a fallen piece lies [m]
 constexpr double kSunkenWall = 0.0005;  // thickness of a sac's wall that lies on the floor [m]
-constexpr float kCalmSpeed = 0.005F;    // of every vertex, where tissue lies on tissue [m/s]
-constexpr uint16_t kCalmFrames = 100;   // until it sticks
-constexpr float kLost = -0.004F;        // below that it lies in any case [m]
-
-int ground_cell(double x, double y) noexcept {
-    const auto cell = [](double c) {
-        return std::clamp(static_cast<int>(std::floor(c / kGroundCell)) + kGroundCells / 2, 0,
-                          kGroundCells - 1);
-    };
-    return cell(x) * kGroundCells + cell(y);
-}
-
-template <class Visit>
-void for_tets(const Scene& scene, const State& state, int piece, Visit&& visit) noexcept {
-    for (int32_t t = 0; t < scene.body.tet_count(); ++t) {
-        if (state.pieces.of[t] == piece && state.body.tet_alive[t]) visit(t);
-    }
-}
-
-/// Sticks where it is, or comes off.
-void rest(const Scene& scene, State& state, int piece, bool resting) noexcept {
-    Piece& p = state.pieces.list[piece];
-    p.resting = resting ? 1 : 0;
-    for_tets(scene, state, piece, [&](int32_t t) {
-        for (const int32_t v : corners(scene.body, state.body, t)) {
-            if (state.held_by[v] >= 0) continue;
-            state.pieces.resting[v] = p.resting;
-            state.body.v[v] = {};
-            state.body.x[v].w = resting ? 0.0F : 1.0F / mass_of(scene.body, state.body, v);
-        }
-    });
-}
-
-/// Tool whose jaws hold the piece, -1 = none.
-int holder(const Scene& scene, const State& state, int piece) noexcept {
-    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
-        const Grasp& g = state.grasps[t];
-        for (int i = 0; i < g.count; ++i) {
-            for (const int32_t tet : tets_around(scene.body, state.body, g.held[i].vertex)) {
-                if (state.body.tet_alive[tet] && state.pieces.of[tet] == piece) return t;
-            }
-        }
-    }
-    return -1;
-}
-
-Event piece_event(const Scene& scene, const State& state, EventKind kind, const Piece& p) noexcept {
-    Event e = tissue_event(scene, state, kind, p.seed);
-    e.value = static_cast<float>(p.volume_m3);
-    e.tool = p.held_by;
-    return e;
-}
 
 /// Gathers a piece from one of its tets and decides what becomes of it.
 void found(const Scene& scene, State& state, int32_t seed) noexcept {
@@ -103,7 +45,7 @@ void found(const Scene& scene, State& state, int32_t seed) noexcept {
                 stack[top++] = other;
             });
     }
-    p.held_by = static_cast<int8_t>(holder(scene, state, slot));
+    p.held_by = static_cast<int8_t>(holder_of_piece(scene, state, slot));
     if (p.volume_m3 < kCrumb && p.held_by < 0) {
         p.leaving = kWashedAway;
         ++pieces.crumbs;
@@ -111,7 +53,7 @@ void found(const Scene& scene, State& state, int32_t seed) noexcept {
         return;
     }
     add_event(state, piece_event(scene, state, EventKind::kPieceFree, p));
-    if (p.held_by < 0) rest(scene, state, slot, true);
+    if (p.held_by < 0) stick_piece(scene, state, slot, true);
 }
 
 /// A piece was cut in two: its parts are found anew.
@@ -122,7 +64,7 @@ void forget_parted(const Scene& scene, State& state) noexcept {
         if (p.tets == 0 || p.leaving) continue;
         int32_t tets = 0;
         double volume = 0;
-        for_tets(scene, state, i, [&](int32_t t) {
+        for_tets_of_piece(scene, state, i, [&](int32_t t) {
             ++tets;
             volume += static_cast<double>(scene.body.volume_m3()[t]);
             p.seed = t;
@@ -188,84 +130,6 @@ void flood_from_bed(const Scene& scene, State& state) noexcept {
     if (any) update_free_vertices(scene.body, state.body);
 }
 
-/// True when a fallen piece has reached the field.
-bool lies(const Scene& scene, const State& state, int piece) noexcept {
-    bool down = false;
-    for_tets(scene, state, piece, [&](int32_t t) {
-        const Float4& x = state.body.x[corners(scene.body, state.body, t)[0]];
-        const float ground = state.scratch->pieces.ground_m[ground_cell(x.x, x.y)];
-        down = down || x.z < ground + kLying || x.z < kLost;
-    });
-    return down;
-}
-
-/// True when a piece has lain still on other tissue for a while, or has fallen past everything.
-bool lies_on_tissue(const Scene& scene, State& state, int piece) noexcept {
-    float fastest2 = 0;
-    bool touches = false, lost = false;
-    for_tets(scene, state, piece, [&](int32_t t) {
-        for (const int32_t v : corners(scene.body, state.body, t)) {
-            const Float4& speed = state.body.v[static_cast<size_t>(v)];
-            fastest2 =
-                std::max(fastest2, speed.x * speed.x + speed.y * speed.y + speed.z * speed.z);
-            touches = touches || state.body.contact_vertex[static_cast<size_t>(v)] != 0;
-            lost = lost || state.body.x[static_cast<size_t>(v)].z < kLost;
-        }
-    });
-    Piece& p = state.pieces.list[piece];
-    p.calm = touches && fastest2 < kCalmSpeed * kCalmSpeed ? static_cast<uint16_t>(p.calm + 1)
-                                                           : uint16_t{0};
-    return lost || p.calm >= kCalmFrames;
-}
-
-void take_away(const Scene& scene, State& state, int piece) noexcept {
-    Piece& p = state.pieces.list[piece];
-    int removed = 0;
-    for (int32_t t = 0; t < scene.body.tet_count() && removed < kRemovedPerFrame; ++t) {
-        if (state.pieces.of[t] != piece || !state.body.tet_alive[t]) continue;
-        take_out(scene, state, t);
-        ++removed;
-    }
-    if (removed < kRemovedPerFrame) p = {};
-}
-
-void follow(const Scene& scene, State& state, int piece) noexcept {
-    Piece& p = state.pieces.list[piece];
-    if (p.leaving) {
-        take_away(scene, state, piece);
-        return;
-    }
-    const int before = p.held_by;
-    p.held_by = static_cast<int8_t>(holder(scene, state, piece));
-    if (p.held_by >= 0) {
-        if (p.resting) rest(scene, state, piece, false);
-        const Vec3 pivot = scene.tools[p.held_by].pivot_m;
-        const Vec3 tip = state.tools[p.held_by].proxy.p;
-        if ((tip - pivot).norm() < kOutShare * pivot.norm()) {
-            p.leaving = kDrawnOut;
-            ++state.pieces.out;
-            state.pieces.out_m3 += p.volume_m3;
-            Event e = piece_event(scene, state, EventKind::kPieceOut, p);
-            if (scene.marked_volume_m3 > 0) {
-                double marked = 0;
-                for_tets(scene, state, piece, [&](int32_t t) {
-                    if (scene.marked[t]) marked += static_cast<double>(scene.body.volume_m3()[t]);
-                });
-                state.pieces.marked_out_m3 += marked;
-                e.value2 = static_cast<float>((state.pieces.marked_gone_m3 + marked) /
-                                              scene.marked_volume_m3);
-                add_event(state, taken_out_event(scene, state));
-            }
-            add_event(state, e);
-        }
-    } else if (!p.resting) {
-        if (before >= 0) update_free_vertices(scene.body, state.body);
-        const bool down = state.self_contact.enabled() ? lies_on_tissue(scene, state, piece)
-                                                       : lies(scene, state, piece);
-        if (down) rest(scene, state, piece, true);
-    }
-}
-
 }  // namespace
 
 PieceSearch::PieceSearch(const Scene& scene)
@@ -308,7 +172,7 @@ void update_pieces(const Scene& scene, State& state) noexcept {
     if (!state.body.topology || state.scratch->pieces.anchored.empty()) return;
     flood_from_bed(scene, state);
     for (int i = 0; i < kMostPieces; ++i) {
-        if (state.pieces.list[i].tets > 0) follow(scene, state, i);
+        if (state.pieces.list[i].tets > 0) follow_piece(scene, state, i);
     }
 }
 
