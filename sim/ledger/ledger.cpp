@@ -10,6 +10,7 @@
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/diathermy.h"
 #include "sim/ledger/damage.h"
+#include "sim/ledger/energy_use.h"
 #include "sim/world/add_event.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
@@ -17,93 +18,12 @@
 namespace placode::sim {
 namespace {
 
-constexpr float kNoticeS = 1.0f;         // energy in air or on one spot counts from here on
 constexpr float kDebounceS = 0.05f;      // a contact ends when it has been away this long
 constexpr float kOverForceS = 0.05f;     // shorter peaks are not a way of working
 constexpr float kOverheatPauseS = 1.0f;  // between entries for one burn that grows
 constexpr float kCheckAfterS = 2.0f;     // hands off after the ring is complete: checking
 constexpr double kRingComplete = 0.99;
 constexpr double kResected = 0.9;  // of the marked volume: what is left is not worth a phase
-
-void end_dwell(State& state, int t) noexcept {
-    ToolLedger& spell = state.ledger.tools[t];
-    if (spell.dwell_s > kNoticeS) {
-        Event e = tool_event(state, EventKind::kDwell, t);
-        e.value = spell.dwell_s;
-        add_event(state, e);
-    }
-    spell.dwell_s = 0;
-}
-
-void end_air(State& state, int t) noexcept {
-    ToolLedger& spell = state.ledger.tools[t];
-    if (spell.air_s > kNoticeS) {
-        Event e = tool_event(state, EventKind::kEnergyInAir, t);
-        e.value = spell.air_s;
-        add_event(state, e);
-    }
-    spell.air_s = 0;
-}
-
-void end_placode_energised(State& state, int t) noexcept {
-    ToolLedger& spell = state.ledger.tools[t];
-    if (spell.placode_energised_s > 0) {
-        Event e = tool_event(state, EventKind::kPlacodeEnergised, t);
-        e.tissue = Tissue::kPlacode;
-        e.value = spell.placode_energised_s;
-        e.value2 = spell.energised_peak_c;
-        add_event(state, e);
-    }
-    spell.placode_energised_s = 0;
-    spell.energised_peak_c = 0;
-}
-
-/// Activation of one instrument: on, off, in air, dwelling, on the placode.
-void ledger_energy(const Scene& scene, State& state, int t, bool active, double dt) noexcept {
-    ToolState& tool = state.tools[t];
-    ToolLedger& spell = state.ledger.tools[t];
-    const ToolSpec& spec = scene.tools[t];
-    const auto seconds = static_cast<float>(dt);
-    if (active && !tool.energised) {
-        Event e = tool_event(state, EventKind::kEnergyOn, t);
-        e.value = static_cast<float>(spec.cut_power_w);
-        if (tool.coagulating) e.value = static_cast<float>(spec.coag_power_w);
-        add_event(state, e);
-        spell.energy_on_s = spell.energy_j = 0;
-    }
-    if (active) {
-        spell.energy_on_s += seconds;
-        spell.energy_j += static_cast<float>(tool.power_in_tissue_w * dt);
-        const bool in_tissue = tool.power_in_tissue_w > 0;
-        if (in_tissue) {
-            end_air(state, t);
-            if (spell.dwell_s == 0 ||
-                (tool.spot - spell.dwell_centre).norm() > scene.heat->settings().dwell_radius_m) {
-                end_dwell(state, t);
-                spell.dwell_centre = tool.spot;
-            }
-            spell.dwell_s += seconds;
-        } else {
-            end_dwell(state, t);
-            spell.air_s += seconds;
-        }
-        if (in_tissue && tool.touched == Tissue::kPlacode) {
-            spell.placode_energised_s += seconds;
-            spell.energised_peak_c = std::max(spell.energised_peak_c, state.ledger.placode_now_c);
-        } else {
-            end_placode_energised(state, t);
-        }
-    } else if (tool.energised) {
-        end_air(state, t);
-        end_dwell(state, t);
-        end_placode_energised(state, t);
-        Event e = tool_event(state, EventKind::kEnergyOff, t);
-        e.value = spell.energy_on_s;
-        e.value2 = spell.energy_j;
-        add_event(state, e);
-    }
-    tool.energised = active ? 1 : 0;
-}
 
 /// Contact with the placode and too much force.
 void ledger_force(const Scene& scene, State& state, int t, double dt) noexcept {

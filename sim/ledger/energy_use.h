@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What an instrument does with its current, as the ledger tells it: switched on and off, in air, on
+// one spot for long, on the placode.
+
+namespace placode::sim {
+
+struct Scene;
+struct State;
+
+/// One frame of `dt` seconds of tool `t`; `active` = its pedal drives current.
+void ledger_energy(const Scene& scene, State& state, int t, bool active, double dt) noexcept;
+
+}  // namespace placode::sim
