@@ -2,88 +2,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/odm_document.h"
 
-#include <QXmlStreamWriter>
-#include <algorithm>
 #include <set>
 
 #include "reports/odm_items.h"
+#include "reports/odm_xml.h"
 #include "reports/text.h"
 
 namespace placode::reports {
 namespace {
 
-constexpr const char* kNamespace = "http://www.cdisc.org/ns/odm/v1.3";
-constexpr const char* kEvent = "SE.STUDY";
-
-QString text(const std::string& value) { return QString::fromStdString(value); }
-
-class Document {
+class Document : private OdmXml {
  public:
-    Document(const Dataset& data, QByteArray* bytes) : data_(data), xml_(bytes) {
-        xml_.setAutoFormatting(true);
-        xml_.setAutoFormattingIndent(1);
-    }
+    Document(const Dataset& data, QByteArray* bytes) : OdmXml(bytes), data_(data) {}
 
     void write() {
-        xml_.writeStartDocument();
-        xml_.writeDefaultNamespace(kNamespace);
-        xml_.writeStartElement(kNamespace, "ODM");
+        begin_document();
         attribute("ODMVersion", "1.3.2");
         attribute("FileType", "Snapshot");
-        attribute("FileOID", text("placode." + data_.id + "." + data_.created_utc));
-        attribute("CreationDateTime", text(data_.created_utc));
+        attribute("FileOID", odm_text("placode." + data_.id + "." + data_.created_utc));
+        attribute("CreationDateTime", odm_text(data_.created_utc));
         attribute("SourceSystem", "Placode");
-        attribute("SourceSystemVersion", text(data_.software));
+        attribute("SourceSystemVersion", odm_text(data_.software));
         if (data_.demonstration) attribute("Description", "DEMONSTRATION: holds simulated data");
         study();
-        clinical_data();
-        xml_.writeEndElement();
-        xml_.writeEndDocument();
+        write_clinical_data(*this, data_);
+        end_document();
     }
 
  private:
-    void attribute(const char* name, const QString& value) { xml_.writeAttribute(name, value); }
-    void start(const char* name) { xml_.writeStartElement(kNamespace, name); }
-    void end() { xml_.writeEndElement(); }
-    void element(const char* name, const QString& value) {
-        xml_.writeTextElement(kNamespace, name, value);
-    }
-    void translated(const char* name, const QString& value) {
-        start(name);
-        element("TranslatedText", value);
-        end();
-    }
-    [[nodiscard]] QString study_oid() const { return "S." + text(plain_name(data_.id)); }
-    [[nodiscard]] QString version_oid() const { return QString("MDV.%1").arg(data_.version); }
-    static QString unit_oid(const std::string& unit) { return "MU." + text(plain_name(unit)); }
+    static QString unit_oid(const std::string& unit) { return "MU." + odm_text(plain_name(unit)); }
 
     void study() {
         start("Study");
-        attribute("OID", study_oid());
+        attribute("OID", study_oid(data_));
         start("GlobalVariables");
-        element("StudyName", text(data_.title));
+        element("StudyName", odm_text(data_.title));
         element("StudyDescription",
-                text(data_.description.empty() ? data_.title : data_.description));
-        element("ProtocolName", text(data_.id));
+                odm_text(data_.description.empty() ? data_.title : data_.description));
+        element("ProtocolName", odm_text(data_.id));
         end();
         units();
         start("MetaDataVersion");
-        attribute("OID", version_oid());
+        attribute("OID", version_oid(data_));
         attribute("Name", QString("Protocol version %1").arg(data_.version));
         start("Protocol");
         start("StudyEventRef");
-        attribute("StudyEventOID", kEvent);
+        attribute("StudyEventOID", kOdmEvent);
         attribute("Mandatory", "Yes");
         end();
         end();
         start("StudyEventDef");
-        attribute("OID", kEvent);
-        attribute("Name", text(data_.title));
+        attribute("OID", kOdmEvent);
+        attribute("Name", odm_text(data_.title));
         attribute("Repeating", "No");
         attribute("Type", "Scheduled");
         for (const Form& form : data_.forms) {
             start("FormRef");
-            attribute("FormOID", "F." + text(form.name));
+            attribute("FormOID", "F." + odm_text(form.name));
             attribute("Mandatory", "No");
             end();
         }
@@ -109,8 +84,8 @@ class Document {
             if (!seen.insert(unit_oid(unit)).second) continue;
             start("MeasurementUnit");
             attribute("OID", unit_oid(unit));
-            attribute("Name", text(unit));
-            translated("Symbol", text(unit));
+            attribute("Name", odm_text(unit));
+            translated("Symbol", odm_text(unit));
             end();
         }
         end();
@@ -119,19 +94,19 @@ class Document {
     void form_definitions() {
         for (const Form& form : data_.forms) {
             start("FormDef");
-            attribute("OID", "F." + text(form.name));
-            attribute("Name", text(form.title + " (" + form.name + ")"));
+            attribute("OID", "F." + odm_text(form.name));
+            attribute("Name", odm_text(form.title + " (" + form.name + ")"));
             attribute("Repeating", form.repeating ? "Yes" : "No");
             start("ItemGroupRef");
-            attribute("ItemGroupOID", "IG." + text(form.name));
+            attribute("ItemGroupOID", "IG." + odm_text(form.name));
             attribute("Mandatory", "Yes");
             end();
             end();
         }
         for (const Form& form : data_.forms) {
             start("ItemGroupDef");
-            attribute("OID", "IG." + text(form.name));
-            attribute("Name", text(form.name));
+            attribute("OID", "IG." + odm_text(form.name));
+            attribute("Name", odm_text(form.name));
             attribute("Repeating", "No");
             int order = 0;
             for (const OdmItem& item : odm_items(form)) {
@@ -143,7 +118,7 @@ class Document {
                 attribute("Mandatory", mandatory ? "Yes" : "No");
                 if (item.field->show_if)
                     attribute("CollectionExceptionConditionOID",
-                              "COND." + text(form.name) + "." + text(item.field->id));
+                              "COND." + odm_text(form.name) + "." + odm_text(item.field->id));
                 end();
             }
             end();
@@ -154,7 +129,7 @@ class Document {
         start("RangeCheck");
         attribute("Comparator", comparator);
         attribute("SoftHard", "Hard");
-        element("CheckValue", text(shortest_text(value)));
+        element("CheckValue", odm_text(shortest_text(value)));
         end();
     }
 
@@ -162,14 +137,14 @@ class Document {
         const Field& field = *item.field;
         start("ItemDef");
         attribute("OID", item.oid());
-        attribute("Name", text(field.name) +
+        attribute("Name", odm_text(field.name) +
                               (item.choice >= 0 ? "_" + QString::number(item.choice) : QString()));
         attribute("DataType", odm_type(item));
         if (field.kind != FieldKind::kDate) attribute("Length", odm_length(item));
         if (QString(odm_type(item)) == "float") attribute("SignificantDigits", "17");
-        QString label = text(field.label);
+        QString label = odm_text(field.label);
         for (const Code& code : field.codes)
-            if (item.choice == code.value) label += ": " + text(code.label);
+            if (item.choice == code.value) label += ": " + odm_text(code.label);
         if (item.choice == field.not_applicable_code()) label += ": does not apply";
         translated("Question", label);
         if (!field.unit.empty()) {
@@ -202,9 +177,10 @@ class Document {
                 if (!item.coded()) continue;
                 start("CodeList");
                 attribute("OID", item.code_list());
-                attribute("Name", text(item.field->name));
+                attribute("Name", odm_text(item.field->name));
                 attribute("DataType", "integer");
-                for (const Code& code : item.field->codes) code_item(code.value, text(code.label));
+                for (const Code& code : item.field->codes)
+                    code_item(code.value, odm_text(code.label));
                 if (item.field->not_applicable)
                     code_item(item.field->not_applicable_code(), "does not apply");
                 end();
@@ -226,80 +202,23 @@ class Document {
             for (const Field& field : form.fields) {
                 if (!field.show_if) continue;
                 QStringList answers;
-                for (const std::string& answer : field.show_if->any_of) answers << text(answer);
+                for (const std::string& answer : field.show_if->any_of) answers << odm_text(answer);
                 start("ConditionDef");
-                attribute("OID", "COND." + text(form.name) + "." + text(field.id));
-                attribute("Name", text(field.name) + "_not_asked");
-                const QString rule =
-                    QString("%1 is none of: %2").arg(text(field.show_if->item), answers.join(", "));
+                attribute("OID", "COND." + odm_text(form.name) + "." + odm_text(field.id));
+                attribute("Name", odm_text(field.name) + "_not_asked");
+                const QString rule = QString("%1 is none of: %2")
+                                         .arg(odm_text(field.show_if->item), answers.join(", "));
                 translated("Description", rule);
                 start("FormalExpression");
                 attribute("Context", "Placode");
-                xml_.writeCharacters(rule);
+                characters(rule);
                 end();
                 end();
             }
         }
     }
 
-    void clinical_data() {
-        start("ClinicalData");
-        attribute("StudyOID", study_oid());
-        attribute("MetaDataVersionOID", version_oid());
-        std::set<std::string> participants;
-        for (const Form& form : data_.forms)
-            for (const Row& row : form.rows) participants.insert(row.participant);
-        for (const std::string& code : participants) {
-            start("SubjectData");
-            attribute("SubjectKey", text(code));
-            start("StudyEventData");
-            attribute("StudyEventOID", kEvent);
-            for (const Form& form : data_.forms)
-                for (const Row& row : form.rows)
-                    if (row.participant == code) form_data(form, row);
-            end();
-            end();
-        }
-        end();
-    }
-
-    void form_data(const Form& form, const Row& row) {
-        start("FormData");
-        attribute("FormOID", "F." + text(form.name));
-        if (form.repeating) attribute("FormRepeatKey", QString::number(row.instance));
-        start("ItemGroupData");
-        attribute("ItemGroupOID", "IG." + text(form.name));
-        for (const OdmItem& item : odm_items(form)) {
-            const auto found = row.values.find(item.field->id);
-            if (found != row.values.end()) item_data(item, found->second);
-        }
-        end();
-        end();
-    }
-
-    void item_data(const OdmItem& item, const std::string& value) {
-        const bool missing = item.field->not_applicable && value == curriculum::kNotApplicable;
-        QString shown = text(value);
-        if (item.choice >= 0) {
-            const auto chosen = curriculum::answer_indices(value).value_or(std::vector<int>{});
-            const bool here =
-                missing ? item.choice == item.field->not_applicable_code()
-                        : std::find(chosen.begin(), chosen.end(), item.choice) != chosen.end();
-            shown = here ? "1" : "0";
-        } else if (missing && item.coded()) {
-            shown = QString::number(item.field->not_applicable_code());
-        }
-        start("ItemData");
-        attribute("ItemOID", item.oid());
-        if (missing && item.choice < 0 && !item.coded())
-            attribute("IsNull", "Yes");  // of a number: nothing else can be said in ODM
-        else
-            attribute("Value", shown);
-        end();
-    }
-
     const Dataset& data_;
-    QXmlStreamWriter xml_;
 };
 
 }  // namespace
