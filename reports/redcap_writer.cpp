@@ -1,151 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// REDCap: a data dictionary of 18 columns and the records to import after it.
+// REDCap: a data dictionary (redcap_dictionary.cpp) and the records to import after it.
 
 #include <algorithm>
 #include <cmath>
 
 #include "reports/csv_table.h"
 #include "reports/formats.h"
+#include "reports/redcap_dictionary.h"
 #include "reports/report.h"
 #include "reports/text.h"
 
 namespace placode::reports {
 namespace {
-
-const std::vector<std::string> kDictionaryHead{"Variable / Field Name",
-                                               "Form Name",
-                                               "Section Header",
-                                               "Field Type",
-                                               "Field Label",
-                                               "Choices, Calculations, OR Slider Labels",
-                                               "Field Note",
-                                               "Text Validation Type OR Show Slider Number",
-                                               "Text Validation Min",
-                                               "Text Validation Max",
-                                               "Identifier?",
-                                               "Branching Logic (Show field only if...)",
-                                               "Required Field?",
-                                               "Custom Alignment",
-                                               "Question Number (surveys only)",
-                                               "Matrix Group Name",
-                                               "Matrix Ranking?",
-                                               "Field Annotation"};
-
-/// '|' separates choices and a line break ends them.
-std::string choice_text(std::string text) {
-    for (char& c : text)
-        if (c == '|' || c == '\n' || c == '\r') c = '/';
-    return text;
-}
-
-std::string form_name(const Form& form) { return plain_name(form.name); }
-
-/// REDCap's slider keeps whole numbers only.
-bool is_slider(const Form& form, const Field& field) {
-    if (!field.analogue) return false;
-    return std::all_of(form.rows.begin(), form.rows.end(), [&](const Row& row) {
-        const auto found = row.values.find(field.id);
-        if (found == row.values.end()) return true;
-        const auto value = curriculum::answer_number(found->second);
-        return !value || *value == std::floor(*value);
-    });
-}
-
-const char* field_type(const Form& form, const Field& field) {
-    switch (field.kind) {
-        case FieldKind::kCode:
-            return "radio";
-        case FieldKind::kMultiple:
-            return "checkbox";
-        case FieldKind::kDecimal:
-            return is_slider(form, field) ? "slider" : "text";
-        case FieldKind::kText:
-            return form.licence.empty() ? "text" : "notes";
-        case FieldKind::kDate:
-            break;
-    }
-    return "text";
-}
-
-std::string choices_of(const Form& form, const Field& field) {
-    if (is_slider(form, field))
-        return choice_text(field.anchor_low) + " |  | " + choice_text(field.anchor_high);
-    std::string text;
-    for (const Code& code : field.codes) {
-        const std::string value = std::to_string(code.value);
-        text += (text.empty() ? "" : " | ") + value + ", " +
-                (code.label.empty() ? value : choice_text(code.label));
-    }
-    if (!text.empty() && field.not_applicable)
-        text += " | " + std::to_string(field.not_applicable_code()) + ", does not apply";
-    return text;
-}
-
-std::string validation_of(const Form& form, const Field& field) {
-    if (is_slider(form, field)) return "number";
-    if (field.kind == FieldKind::kDate) return "date_ymd";
-    // "NA" is no number; the project's missing data codes would have to allow it.
-    return field.kind == FieldKind::kDecimal && !field.not_applicable ? "number" : "";
-}
-
-/// `[name] = '1' or [name] = '2'`; a checkbox has one name a choice.
-std::string branching_of(const Form& form, const Field& field) {
-    if (!field.show_if) return {};
-    const Field* asked = form.field(field.show_if->item);
-    if (asked == nullptr) return {};
-    std::string text;
-    for (const std::string& answer : field.show_if->any_of) {
-        text += text.empty() ? "" : " or ";
-        if (asked->kind == FieldKind::kMultiple)
-            text += "[" + asked->name + "(" + answer + ")] = '1'";
-        else
-            text += "[" + asked->name + "] = '" + answer + "'";
-    }
-    return text;
-}
-
-/// Neighbours with the same choices stand in one matrix.
-bool same_matrix(const Field& a, const Field& b) {
-    const auto key = [](const Code& x, const Code& y) {
-        return x.value == y.value && x.label == y.label;
-    };
-    return a.ordinal && b.ordinal && a.section == b.section &&
-           a.not_applicable == b.not_applicable && !a.show_if && !b.show_if &&
-           std::equal(a.codes.begin(), a.codes.end(), b.codes.begin(), b.codes.end(), key);
-}
-
-std::string dictionary_text(const Dataset& data) {
-    std::string text = csv_line(kDictionaryHead);
-    for (const Form& form : data.forms) {
-        if (&form == &data.forms.front())
-            text += csv_line({"record_id", form_name(form), "", "text", "Pseudonymous code", "", "",
-                              "", "", "", "", "", "", "", "", "", "", ""});
-        std::string section;
-        int matrix = 0;
-        for (size_t i = 0; i < form.fields.size(); ++i) {
-            const Field& field = form.fields[i];
-            const bool with_last = i > 0 && same_matrix(form.fields[i - 1], field);
-            const bool with_next =
-                i + 1 < form.fields.size() && same_matrix(field, form.fields[i + 1]);
-            if (with_next && !with_last) ++matrix;
-            std::string note = field.unit;
-            if (field.analogue && !is_slider(form, field))
-                note = field.anchor_low + " ... " + field.anchor_high;
-            text += csv_line(
-                {field.name, form_name(form), field.section != section ? field.section : "",
-                 field_type(form, field), harmless(field.label), choices_of(form, field),
-                 harmless(note), validation_of(form, field),
-                 field.minimum ? shortest_text(*field.minimum) : "",
-                 field.maximum ? shortest_text(*field.maximum) : "", field.identifying ? "y" : "",
-                 branching_of(form, field), field.required ? "y" : "", "", "",
-                 with_last || with_next ? form_name(form) + "_m" + std::to_string(matrix) : "", "",
-                 field.derived ? "@READONLY" : ""});
-            section = field.section;
-        }
-    }
-    return text;
-}
 
 std::string checkbox_name(const Field& field, const Code& code) {
     // A minus sign has no place in a name: REDCap writes an underscore.
@@ -168,7 +35,7 @@ std::vector<std::string> record_columns(const Dataset& data, bool repeating) {
             if (field.not_applicable)
                 columns.push_back(checkbox_name(field, {field.not_applicable_code(), ""}));
         }
-        columns.push_back(form_name(form) + "_complete");
+        columns.push_back(redcap_form_name(form) + "_complete");
     }
     return columns;
 }
@@ -204,13 +71,13 @@ std::string records_text(const Dataset& data) {
             Record fresh;
             Record& record = form.repeating ? fresh : once[row.participant];
             record["record_id"] = row.participant;
-            record[form_name(form) + "_complete"] = "2";
+            record[redcap_form_name(form) + "_complete"] = "2";
             for (const auto& [id, value] : row.values)
                 if (const Field* field = form.field(id)) put(record, *field, value);
             // Who has only repeated forms has a record as well.
             once[row.participant]["record_id"] = row.participant;
             if (!form.repeating) continue;
-            fresh["redcap_repeat_instrument"] = form_name(form);
+            fresh["redcap_repeat_instrument"] = redcap_form_name(form);
             fresh["redcap_repeat_instance"] = std::to_string(row.instance);
             more.push_back(fresh);
         }
@@ -263,7 +130,7 @@ Cells read_records(const Dataset& data, const std::string& path) {
         const std::string instrument = record["redcap_repeat_instrument"];
         for (const Form& form : data.forms) {
             if (form.repeating != !instrument.empty()) continue;
-            if (form.repeating && instrument != form_name(form)) continue;
+            if (form.repeating && instrument != redcap_form_name(form)) continue;
             Row row;
             row.participant = record["record_id"];
             row.instance = form.repeating ? std::stoi(record["redcap_repeat_instance"]) : 1;
@@ -275,20 +142,6 @@ Cells read_records(const Dataset& data, const std::string& path) {
     return cells;
 }
 
-/// The dictionary must name every column of the records, as REDCap demands on import.
-void check_dictionary(const Dataset& data, const std::string& path) {
-    const auto rows = parse_csv(read_file(path));
-    size_t fields = 2;  // head and record_id
-    for (const Form& form : data.forms) fields += form.fields.size();
-    if (rows.size() != fields || rows[0] != kDictionaryHead)
-        throw ReportError("export redcap: read back, " + path + " does not hold every field");
-    std::set<std::string> names;
-    for (size_t r = 1; r < rows.size(); ++r)
-        if (rows[r].size() != kDictionaryHead.size() || !names.insert(rows[r][0]).second)
-            throw ReportError("export redcap: read back, " + path + " row " +
-                              std::to_string(r + 1) + " is short or names a field twice");
-}
-
 std::string path_of(const std::string& folder, const Dataset& data, const char* ending) {
     return folder + "/" + file_name(data.id) + ending;
 }
@@ -296,12 +149,13 @@ std::string path_of(const std::string& folder, const Dataset& data, const char* 
 }  // namespace
 
 void write_redcap(const ExportSource& source, const std::string& folder) {
-    save_file(path_of(folder, source.data, "_redcap_dictionary.csv"), dictionary_text(source.data));
+    save_file(path_of(folder, source.data, "_redcap_dictionary.csv"),
+              redcap_dictionary(source.data));
     save_file(path_of(folder, source.data, "_redcap_records.csv"), records_text(source.data));
 }
 
 void verify_redcap(const ExportSource& source, const std::string& folder) {
-    check_dictionary(source.data, path_of(folder, source.data, "_redcap_dictionary.csv"));
+    check_redcap_dictionary(source.data, path_of(folder, source.data, "_redcap_dictionary.csv"));
     compare_cells(cells_of(source.data),
                   read_records(source.data, path_of(folder, source.data, "_redcap_records.csv")),
                   "export redcap");
