@@ -81,6 +81,40 @@ std::string plain_name(const std::string& text) {
     return name;
 }
 
+namespace {
+
+/// The attempts of a study, each of the step it was made for. Getting used to the instruments is no
+/// data.
+void add_attempts(db::Store& store, const std::string& study_id, const DatasetOptions& options,
+                  const std::set<std::string>& usable,
+                  const std::optional<curriculum::StudyProtocol>& protocol,
+                  std::vector<db::StepRecord>& steps, Dataset& data) {
+    std::vector<std::string> owners;
+    std::set<int64_t> seen;
+    std::map<int64_t, const db::StepRecord*> step_of;
+    int visits = 1;
+    std::stable_sort(steps.begin(), steps.end(),
+                     [](const auto& a, const auto& b) { return a.participant < b.participant; });
+    for (const auto& step : steps) {
+        if (step.attempt_id == 0 || !usable.contains(step.participant)) continue;
+        if (!seen.insert(step.attempt_id).second) continue;
+        const auto* asked = protocol ? protocol->step(step.step) : nullptr;
+        if (asked != nullptr && asked->kind == curriculum::StepKind::kFamiliarisation) continue;
+        data.attempts.push_back(store.attempts().detail(step.attempt_id));
+        owners.push_back(step.participant);
+        step_of[step.attempt_id] = &step;
+        visits = std::max(visits, step.visit);
+    }
+    if (data.attempts.empty()) return;
+    Form form = attempts_form(data.attempts, owners);
+    add_study_fields(form, step_of, store.records().step_notes(study_id), options);
+    if (visits > 1)
+        add_visits(form, visits, [&](const Row& row) { return step_of.at(row.attempt_id)->visit; });
+    data.forms.push_back(std::move(form));
+}
+
+}  // namespace
+
 Dataset study_dataset(db::Store& store, const std::string& study_id,
                       const DatasetOptions& options) {
     Dataset data;
@@ -113,31 +147,7 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
     for (auto& record : store.studies().answers(study_id))
         if (usable.contains(record.participant)) data.answers.push_back(std::move(record));
     add_questionnaires(store, options, data);
-    std::vector<std::string> owners;
-    std::set<int64_t> seen;
-    std::map<int64_t, const db::StepRecord*> step_of;
-    int visits = 1;
-    std::stable_sort(steps.begin(), steps.end(),
-                     [](const auto& a, const auto& b) { return a.participant < b.participant; });
-    for (const auto& step : steps) {
-        if (step.attempt_id == 0 || !usable.contains(step.participant)) continue;
-        if (!seen.insert(step.attempt_id).second) continue;
-        // Getting used to the instruments is no data.
-        const auto* asked = protocol ? protocol->step(step.step) : nullptr;
-        if (asked != nullptr && asked->kind == curriculum::StepKind::kFamiliarisation) continue;
-        data.attempts.push_back(store.attempts().detail(step.attempt_id));
-        owners.push_back(step.participant);
-        step_of[step.attempt_id] = &step;
-        visits = std::max(visits, step.visit);
-    }
-    if (!data.attempts.empty()) {
-        Form form = attempts_form(data.attempts, owners);
-        add_study_fields(form, step_of, store.records().step_notes(study_id), options);
-        if (visits > 1)
-            add_visits(form, visits,
-                       [&](const Row& row) { return step_of.at(row.attempt_id)->visit; });
-        data.forms.push_back(std::move(form));
-    }
+    add_attempts(store, study_id, options, usable, protocol, steps, data);
     for (auto& each : db::study_deviations(store, study_id))
         if (usable.contains(each.participant)) data.deviations.push_back(std::move(each));
     if (!data.deviations.empty()) data.forms.push_back(deviations_form(data.deviations, options));

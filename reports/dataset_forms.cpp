@@ -11,65 +11,6 @@
 #include "reports/words.h"
 
 namespace placode::reports {
-namespace {
-
-Field code_field(const std::string& id, const std::string& label, std::vector<Code> codes) {
-    Field field;
-    field.id = id;
-    field.label = label;
-    field.kind = FieldKind::kCode;
-    field.codes = std::move(codes);
-    return field;
-}
-
-/// The consent that was given, where the protocol asks for one. What the hand wrote is in no
-/// export.
-void add_consent_fields(Form& form) {
-    form.fields.push_back(text_field("consent_utc", "Consent given (UTC)"));
-    form.fields.push_back(text_field("consent_version", "Version of the consent text"));
-    form.fields.back().kind = FieldKind::kDecimal;
-    form.fields.push_back(text_field("consent_language", "Language of the consent text"));
-    form.fields.push_back(text_field("consent_agreed", "Statements agreed to"));
-    form.fields.push_back(text_field("consent_checksum", "Checksum of the text that was read"));
-    form.fields.push_back(
-        code_field("consent_signed", "Signed", {{0, "on paper"}, {1, "on screen"}}));
-}
-
-void fill_consent(Row& row, const db::GivenConsent& consent) {
-    row.values["consent_utc"] = consent.at_utc;
-    row.values["consent_version"] = std::to_string(consent.version);
-    row.values["consent_language"] = consent.language;
-    std::string agreed;
-    for (const std::string& each : consent.agreed) agreed += (agreed.empty() ? "" : " ") + each;
-    if (!agreed.empty()) row.values["consent_agreed"] = agreed;
-    row.values["consent_checksum"] = consent.text_checksum;
-    row.values["consent_signed"] = consent.on_screen ? "1" : "0";
-}
-
-/// Lock and signature of the record. Who signed is a name, though none of a participant.
-void add_care_fields(Form& form, const DatasetOptions& options) {
-    form.fields.push_back(code_field("record_locked", "Record locked", {{0, "no"}, {1, "yes"}}));
-    form.fields.push_back(text_field("signed_utc", "Record signed (UTC)"));
-    form.fields.push_back(text_field("signature_meaning", "Meaning of the signature"));
-    form.fields.push_back(text_field("signed_checksum", "Checksum of the signed record (SHA-256)"));
-    form.fields.push_back(code_field("signature_fits", "The record is what was signed",
-                                     {{0, "no, changed after the signature"}, {1, "yes"}}));
-    if (!options.identifying) return;
-    form.fields.push_back(text_field("signed_by", "Record signed by"));
-    form.fields.back().identifying = true;
-}
-
-void fill_care(Row& row, const db::RecordState& state, const DatasetOptions& options) {
-    row.values["record_locked"] = state.locked ? "1" : "0";
-    if (!state.signature) return;
-    row.values["signed_utc"] = state.signature->at_utc;
-    row.values["signature_meaning"] = state.signature->remark;
-    row.values["signed_checksum"] = state.signature->checksum;
-    row.values["signature_fits"] = state.signature_fits ? "1" : "0";
-    if (options.identifying) row.values["signed_by"] = state.signature->name;
-}
-
-}  // namespace
 
 Field text_field(const std::string& id, const std::string& label) {
     Field field;
@@ -89,6 +30,15 @@ void number_rows(Form& form) {
     }
 }
 
+Field code_field(const std::string& id, const std::string& label, std::vector<Code> codes) {
+    Field field;
+    field.id = id;
+    field.label = label;
+    field.kind = FieldKind::kCode;
+    field.codes = std::move(codes);
+    return field;
+}
+
 void add_visits(Form& form, int visits, const std::function<int(const Row&)>& visit_of) {
     std::vector<Code> codes;
     for (int visit = 1; visit <= visits; ++visit)
@@ -98,69 +48,9 @@ void add_visits(Form& form, int visits, const std::function<int(const Row&)>& vi
     for (Row& row : form.rows) row.values[id] = std::to_string(visit_of(row));
 }
 
-Form participants_form(const std::vector<db::ParticipantRecord>& all,
-                       const std::map<std::string, db::RecordState>& states,
-                       const std::map<std::string, db::GivenConsent>& consents,
-                       const std::optional<curriculum::StudyProtocol>& protocol,
-                       const DatasetOptions& options) {
-    Form form;
-    form.id = form.name = "participants";
-    form.title = "Participants";
-    form.fields = {text_field("enrolled_utc", "Enrolled (UTC)"),
-                   text_field("withdrawn_utc", "Withdrawn (UTC)")};
-    Field status;
-    status.id = "status";
-    status.label = "Status";
-    status.kind = FieldKind::kCode;
-    status.codes = {{0, "takes part"},
-                    {1, "withdrew, data to date are used"},
-                    {2, "withdrew, data are not used"},
-                    {3, "withdrew, data are erased"}};
-    form.fields.push_back(status);
-    Field version;
-    version.id = "protocol_version";
-    version.label = "Version of the protocol";
-    version.kind = FieldKind::kDecimal;
-    form.fields.push_back(version);
-    if (protocol && protocol->arms) {
-        Field arm;
-        arm.id = "arm";
-        arm.label = "Arm";
-        arm.kind = FieldKind::kCode;
-        for (size_t i = 0; i < protocol->arms->names.size(); ++i)
-            arm.codes.push_back(
-                {static_cast<int>(i), protocol->arms->names[i].in(options.language)});
-        form.fields.push_back(arm);
-    }
-    const bool consent = protocol && protocol->needs_consent();
-    if (consent) add_consent_fields(form);
-    add_care_fields(form, options);
-    for (const db::ParticipantRecord& each : all) {
-        Row row;
-        row.participant = each.code;
-        row.at_utc = each.enrolled_utc;
-        row.demonstration = each.demonstration;
-        row.values["enrolled_utc"] = each.enrolled_utc;
-        if (!each.withdrawn_utc.empty()) row.values["withdrawn_utc"] = each.withdrawn_utc;
-        row.values["status"] =
-            each.withdrawal ? std::to_string(1 + static_cast<int>(*each.withdrawal)) : "0";
-        row.values["protocol_version"] = std::to_string(each.protocol_version);
-        if (protocol && protocol->arms && each.arm >= 0)
-            row.values["arm"] = std::to_string(each.arm);
-        const auto given = consents.find(each.code);
-        if (consent && given != consents.end()) fill_consent(row, given->second);
-        const auto state = states.find(each.code);
-        fill_care(row, state == states.end() ? db::RecordState{} : state->second, options);
-        form.rows.push_back(std::move(row));
-    }
-    return form;
-}
+namespace {
 
-Form attempts_form(const std::vector<db::AttemptDetail>& attempts,
-                   const std::vector<std::string>& owners) {
-    Form form;
-    form.id = form.name = "attempts";
-    form.title = "Attempts with scores and metrics";
+void add_attempt_fields(Form& form) {
     for (const auto& [id, label] : std::initializer_list<std::pair<const char*, const char*>>{
              {"task_id", "Task"},
              {"started_utc", "Started (UTC)"},
@@ -186,41 +76,53 @@ Form attempts_form(const std::vector<db::AttemptDetail>& attempts,
     add_number("points", "Score", "points of 100");
     add_number("rubric_version", "Version of the rubric", "");
     add_number("metric_set_version", "Version of the metric set", "");
-    const auto definitions = assessment::metric_definitions();
-    for (const auto& definition : definitions)
+    for (const auto& definition : assessment::metric_definitions())
         add_number(std::string(definition.id), std::string(definition.name),
                    std::string(definition.unit));
-    for (size_t i = 0; i < attempts.size(); ++i) {
-        const db::AttemptRecord& record = attempts[i].record;
-        Row row;
-        row.participant = owners[i];
-        row.at_utc = record.started_utc;
-        row.demonstration = record.demonstration;
-        row.attempt_id = record.id;
-        row.counts = db::counts(record);
-        row.values = {{"counts", row.counts ? "1" : "0"},
-                      {"attempt_id", std::to_string(record.id)},
-                      {"task_version", std::to_string(record.task_version)},
-                      {"duration_s", shortest_text(record.duration_s)},
-                      {"end", end_word(record.end).toStdString()},
-                      {"points", shortest_text(record.points)},
-                      {"verdict", verdict_word(record.verdict).toStdString()},
-                      {"rubric_version", std::to_string(record.rubric_version)},
-                      {"metric_set_version", std::to_string(record.metric_set_version)}};
-        for (const auto& [id, text] : {std::pair{"task_id", record.task_id},
-                                       {"started_utc", record.started_utc},
-                                       {"device", record.device},
-                                       {"rubric_id", record.rubric_id},
-                                       {"haptic_grade", record.haptic_grade},
-                                       {"void_reason", record.void_reason},
-                                       {"build", record.build}})
-            if (!text.empty()) row.values[id] = text;
-        for (const auto& definition : definitions)
-            if (const auto value = attempts[i].metrics.find(definition.id))
-                if (std::isfinite(*value))
-                    row.values[std::string(definition.id)] = shortest_text(*value);
-        form.rows.push_back(std::move(row));
-    }
+}
+
+Row attempt_row(const db::AttemptDetail& attempt, const std::string& owner) {
+    const db::AttemptRecord& record = attempt.record;
+    Row row;
+    row.participant = owner;
+    row.at_utc = record.started_utc;
+    row.demonstration = record.demonstration;
+    row.attempt_id = record.id;
+    row.counts = db::counts(record);
+    row.values = {{"counts", row.counts ? "1" : "0"},
+                  {"attempt_id", std::to_string(record.id)},
+                  {"task_version", std::to_string(record.task_version)},
+                  {"duration_s", shortest_text(record.duration_s)},
+                  {"end", end_word(record.end).toStdString()},
+                  {"points", shortest_text(record.points)},
+                  {"verdict", verdict_word(record.verdict).toStdString()},
+                  {"rubric_version", std::to_string(record.rubric_version)},
+                  {"metric_set_version", std::to_string(record.metric_set_version)}};
+    for (const auto& [id, text] : {std::pair{"task_id", record.task_id},
+                                   {"started_utc", record.started_utc},
+                                   {"device", record.device},
+                                   {"rubric_id", record.rubric_id},
+                                   {"haptic_grade", record.haptic_grade},
+                                   {"void_reason", record.void_reason},
+                                   {"build", record.build}})
+        if (!text.empty()) row.values[id] = text;
+    for (const auto& definition : assessment::metric_definitions())
+        if (const auto value = attempt.metrics.find(definition.id))
+            if (std::isfinite(*value))
+                row.values[std::string(definition.id)] = shortest_text(*value);
+    return row;
+}
+
+}  // namespace
+
+Form attempts_form(const std::vector<db::AttemptDetail>& attempts,
+                   const std::vector<std::string>& owners) {
+    Form form;
+    form.id = form.name = "attempts";
+    form.title = "Attempts with scores and metrics";
+    add_attempt_fields(form);
+    for (size_t i = 0; i < attempts.size(); ++i)
+        form.rows.push_back(attempt_row(attempts[i], owners[i]));
     number_rows(form);
     return form;
 }

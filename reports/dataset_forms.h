@@ -17,6 +17,8 @@
 namespace placode::reports {
 
 [[nodiscard]] Field text_field(const std::string& id, const std::string& label);
+[[nodiscard]] Field code_field(const std::string& id, const std::string& label,
+                               std::vector<Code> codes);
 /// Sorts by participant and counts the rows of each; a form with a second row repeats.
 void number_rows(Form& form);
 /// Puts the visit in front of a form's fields: "visit", or "visit_number" where an item is called
