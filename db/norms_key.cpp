@@ -56,10 +56,11 @@ void Norms::need_passphrase(const std::string& passphrase) {
 
 void Norms::need_owner_of_key() {
     if (!connection_.is_sqlite() && !owns_tables(connection_))
-        connection_.fail(Kind::kRefused,
-                         Said::that("on a server the centre's key is sealed and changed with the "
-                                    "log-in of the tables' owner; let an administrator run "
-                                    "`placodectl norms key seal` with it"));
+        connection_.fail(
+            Kind::kRefused,
+            Said::that(
+                "on a server the centre's key is sealed and changed with the log-in of the tables' "
+                "owner; let an administrator run `placodectl norms key seal` with it"));
 }
 
 OpenCentreKey Norms::opened(const KeptKey& kept, const std::string& passphrase) {
@@ -168,8 +169,8 @@ void Norms::seal_centre_key(const std::string& passphrase) {
         KeptKey key = need_key();
         if (is_sealed_key(key.kept))
             connection_.fail(Kind::kConflict,
-                             "the centre's key is sealed already; `placodectl norms key "
-                             "passphrase` changes its passphrase");
+                             Said::as_is("the centre's key is sealed already; `placodectl norms "
+                                         "key passphrase` changes its passphrase"));
         need_owner_of_key();
         const Secret secret(key.kept);
         if (!is_pair(key.public_key, secret.text()))
@@ -268,12 +269,13 @@ void Norms::take_centre_key(const std::string& text, const std::string& passphra
     connection_.lock_table("centre_key");
     if (const auto old = kept_key()) {
         if (old->public_key == key.public_key)
-            connection_.fail(Kind::kConflict, "it has this key already");
+            connection_.fail(Kind::kConflict, Said::as_is("it has this key already"));
         if (!replace)
-            connection_.fail(Kind::kConflict,
-                             "it has the key " + fingerprint(old->public_key) +
-                                 " already; --replace puts the new one in its place, and the old "
-                                 "one can sign nothing any more: export that one first");
+            connection_.fail(
+                Kind::kConflict,
+                Said::as_is("it has the key " + fingerprint(old->public_key) +
+                            " already; --replace puts the new one in its place, and the old "
+                            "one can sign nothing any more: export that one first"));
         need_owner_of_key();
         trust_own(*old);
         replace_key(key);

@@ -10705,10 +10705,6 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>na serwerze klucz ośrodka zabezpiecza i zmienia się loginem właściciela tabel; niech administrator uruchomi nim `placodectl norms key seal`</translation>
     </message>
     <message>
-        <source>the passphrase is too short; expected at least %1 characters, four words are good</source>
-        <translation>hasło klucza jest za krótkie; potrzeba co najmniej %1 znaków, dobre są cztery słowa</translation>
-    </message>
-    <message>
         <source>the attempts were scored under different rubrics; rescore them under one first</source>
         <translation>próby oceniono według różnych kryteriów; najpierw oceń je ponownie według jednych</translation>
     </message>
