@@ -1,15 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// placodectl bench accuracy: the error of every method, as CSV, JSON, figures and a report.
+// placodectl bench accuracy: the error of every method, as CSV, JSON, figures and a report; bench
+// closed-forms: contact, heat and thread beside closed forms, as figures and a page.
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
 
 #include "bench/accuracy_report.h"
+#include "bench/closed_forms.h"
+#include "curriculum/utc_time.h"
 #include "sim/verify/accuracy.h"
 #include "ui/cli/solver_commands.h"
 #include "ui/cli/write_file.h"
@@ -94,6 +98,44 @@ int accuracy(const Context& context, const AccuracyCommandOptions& options) {
     return 0;
 }
 
+/// Figures and a page for docs/measurements.
+int closed_forms(const Context& context, const std::string& folder) {
+    const fs::path out = folder;
+    std::error_code error;
+    if (!folder.empty() && !fs::create_directories(out, error) && error)
+        throw InputError("--out " + folder + ": cannot be made; choose another place");
+    Json json{{"benchmark", "closed-forms"}, {"machine", machine()}, {"rows", Json::array()}};
+    std::vector<std::vector<std::string>> cells{{"case", "series", "against", "difference [%]"}};
+    std::vector<bench::ClosedFormFigure> figures;
+    for (int which = 0; which < 3; ++which) {
+        figures.push_back(which == 0   ? bench::contact_closed_forms()
+                          : which == 1 ? bench::heat_closed_forms()
+                                       : bench::thread_closed_forms());
+        const bench::ClosedFormFigure& figure = figures.back();
+        std::cerr << figure.title << '\n';
+        for (const bench::ClosedFormPanel& panel : figure.panels)
+            for (const bench::ClosedFormSeries& series : panel.series) {
+                json["rows"].push_back({{"figure", figure.name},
+                                        {"case", panel.title},
+                                        {"series", series.name},
+                                        {"against", panel.exact_name},
+                                        {"measure", panel.measure},
+                                        {"error", series.error},
+                                        {"target", panel.target}});
+                cells.push_back(
+                    {panel.title, series.name, panel.exact_name, fixed(100 * series.error, 3)});
+            }
+        if (!folder.empty())
+            write_file(out / (figure.name + ".svg"), bench::closed_form_svg(figure));
+    }
+    if (!folder.empty())
+        write_file(out / "closed_forms.md",
+                   bench::closed_form_page(figures, bench::this_machine(),
+                                           curriculum::utc_day(std::time(nullptr))));
+    print(context, json, table(cells));
+    return 0;
+}
+
 }  // namespace
 
 void add_accuracy_command(CLI::App& bench, Context& context) {
@@ -111,6 +153,16 @@ void add_accuracy_command(CLI::App& bench, Context& context) {
     command->callback([&context, options] {
         context.run = [&context, options] { return accuracy(context, *options); };
     });
+}
+
+void add_closed_forms_command(CLI::App& bench, Context& context) {
+    auto out = std::make_shared<std::string>();
+    CLI::App* command = bench.add_subcommand(
+        "closed-forms", "Contact, heat and thread against closed forms, as figures and a table");
+    command->add_option("--out", *out,
+                        "Folder for contact.svg, heat.svg, thread.svg and closed_forms.md");
+    command->callback(
+        [&context, out] { context.run = [&context, out] { return closed_forms(context, *out); }; });
 }
 
 }  // namespace placode::cli

@@ -124,6 +124,7 @@ void add_bench_commands(CLI::App& app, Context& context) {
         context.run = [&context, options] { return speed(context, *options); };
     });
     add_accuracy_command(*bench, context);
+    add_closed_forms_command(*bench, context);
     add_contact_bench_command(*bench, context);
     add_scaling_command(*bench, context);
     add_cuts_command(*bench, context);

@@ -10,6 +10,8 @@ namespace placode::cli {
 void add_solve_command(CLI::App& app, Context& context);
 /// `bench accuracy`.
 void add_accuracy_command(CLI::App& bench, Context& context);
+/// `bench closed-forms`.
+void add_closed_forms_command(CLI::App& bench, Context& context);
 /// `bench environment`.
 void add_environment_command(CLI::App& bench, Context& context);
 /// `bench haptics`.
