@@ -22,6 +22,8 @@ namespace placode::reports {
 /// Three significant digits, '.' decimals.
 [[nodiscard]] std::string rounded(double value);
 [[nodiscard]] std::string whole(double value);
+/// "0.52 (0.1), n 12": mean and standard deviation.
+[[nodiscard]] std::string group_text(const std::vector<double>& values);
 [[nodiscard]] std::string p_words(double p);  ///< "0.012", "< 0.001"
 [[nodiscard]] std::string interval_words(const std::optional<assessment::Interval>& interval);
 

@@ -53,6 +53,12 @@ std::string rounded(double value) {
     return number(value, decimals).toStdString();
 }
 
+std::string group_text(const std::vector<double>& values) {
+    const auto mean = assessment::mean_of(values), sd = assessment::sample_sd(values);
+    return rounded(*mean) + (sd ? " (" + rounded(*sd) + ")" : "") + ", n " +
+           std::to_string(values.size());
+}
+
 std::string p_words(double p) { return p < 0.001 ? "< 0.001" : number(p, 3).toStdString(); }
 
 std::string interval_words(const std::optional<assessment::Interval>& interval) {
@@ -173,30 +179,29 @@ Block complete_block(const std::map<int64_t, std::map<int64_t, double>>& by_atte
     return best;
 }
 
-}  // namespace
+/// A scale or an item that raters judge: attempt, rater, value.
+struct Judged {
+    std::string label;
+    std::map<int64_t, std::map<int64_t, double>> values;
+};
 
-Analysis rater_agreement(const StudyReport& report, const std::vector<db::RatingRecord>& ratings,
-                         const curriculum::Questionnaire& form, const ChartStyle& style) {
-    Analysis analysis;
-    analysis.id = "rater_agreement";
-    analysis.title = "Agreement of raters";
-    std::set<int64_t> own;
-    if (const Form* attempts = report.data.form("attempts"))
-        for (const Row& row : attempts->rows)
-            if (row.counts) own.insert(row.attempt_id);
-    struct Judged {
-        std::string label;
-        std::map<int64_t, std::map<int64_t, double>> values;
-    };
+struct Ratings {
     std::vector<Judged> judged;
+    int count = 0, blinded = 0;
+};
+
+/// What the raters said of the attempts in `own`: scales first, then the items that have a scale.
+Ratings ratings_of(const std::set<int64_t>& own, const std::vector<db::RatingRecord>& ratings,
+                   const curriculum::Questionnaire& form) {
+    Ratings found;
+    auto& judged = found.judged;
     for (const auto& scale : form.scales) judged.push_back({scale.title.en, {}});
     for (const auto& item : form.items)
         if (item.kind == curriculum::ItemKind::kLikert) judged.push_back({item.text.en, {}});
-    int count = 0, blinded = 0;
     for (const db::RatingRecord& rating : ratings) {
         if (!own.contains(rating.attempt_id)) continue;
-        ++count;
-        blinded += rating.blinded ? 1 : 0;
+        ++found.count;
+        found.blinded += rating.blinded ? 1 : 0;
         size_t at = 0;
         for (const auto& score : curriculum::scale_scores(form, rating.answers)) {
             if (score.value) judged[at].values[rating.attempt_id][rating.rater_id] = *score.value;
@@ -212,15 +217,11 @@ Analysis rater_agreement(const StudyReport& report, const std::vector<db::Rating
             ++at;
         }
     }
-    analysis.method = form.title.en + ": " + std::to_string(count) +
-                      " ratings of this study's "
-                      "attempts, " +
-                      std::to_string(blinded) +
-                      " of them blinded. The largest block that the same raters have judged "
-                      "completely; ICC of Shrout & Fleiss with 95 % intervals: (2,1) and (2,k) "
-                      "absolute agreement, (3,1) consistency; SEM in points of the scale.";
-    analysis.head = {"rated",         "attempts", "raters",   "ICC(2,1)",
-                     "95 % interval", "ICC(2,k)", "ICC(3,1)", "SEM"};
+    return found;
+}
+
+/// A row and a mark of the figure for all that at least two raters judged completely.
+std::vector<ForestRow> fill_agreement(const std::vector<Judged>& judged, Analysis& analysis) {
     std::vector<ForestRow> forest;
     for (const Judged& each : judged) {
         const Block block = complete_block(each.values);
@@ -243,12 +244,38 @@ Analysis rater_agreement(const StudyReport& report, const std::vector<db::Rating
                           std::to_string(icc.raters) + " raters, n " + std::to_string(icc.subjects),
                           !std::isfinite(icc.icc2.ci95.low)});
     }
+    return forest;
+}
+
+}  // namespace
+
+Analysis rater_agreement(const StudyReport& report, const std::vector<db::RatingRecord>& ratings,
+                         const curriculum::Questionnaire& form, const ChartStyle& style) {
+    Analysis analysis;
+    analysis.id = "rater_agreement";
+    analysis.title = "Agreement of raters";
+    std::set<int64_t> own;
+    if (const Form* attempts = report.data.form("attempts"))
+        for (const Row& row : attempts->rows)
+            if (row.counts) own.insert(row.attempt_id);
+    const Ratings found = ratings_of(own, ratings, form);
+    const std::string count = std::to_string(found.count);
+    analysis.method = form.title.en + ": " + count +
+                      " ratings of this study's "
+                      "attempts, " +
+                      std::to_string(found.blinded) +
+                      " of them blinded. The largest block that the same raters have judged "
+                      "completely; ICC of Shrout & Fleiss with 95 % intervals: (2,1) and (2,k) "
+                      "absolute agreement, (3,1) consistency; SEM in points of the scale.";
+    analysis.head = {"rated",         "attempts", "raters",   "ICC(2,1)",
+                     "95 % interval", "ICC(2,k)", "ICC(3,1)", "SEM"};
+    const std::vector<ForestRow> forest = fill_agreement(found.judged, analysis);
     if (analysis.rows.empty())
         analysis.problem =
             "At least three attempts of this study that the same two raters have judged are "
             "needed; "
             "there are " +
-            std::to_string(count) +
+            count +
             " ratings. Raters find their queue on the page "
             "Ratings.";
     else
