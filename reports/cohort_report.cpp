@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The paper about a cohort and about one trainee. What it says is read in cohort_data.cpp.
 #include "reports/cohort_report.h"
 
 #include <algorithm>
@@ -28,7 +29,6 @@ using assessment::Standing;
 constexpr size_t kRowsAPiece = 36;  // Of a table: one page holds about that many.
 constexpr size_t kMostCurves = 40;  // More of them only make a picture black.
 
-QString safe(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 QString day(const std::string& utc) { return safe(utc.substr(0, 10)); }
 
 std::string name_of(const PersonInTask& one) {
@@ -124,57 +124,7 @@ Figure spread(const std::vector<PersonInTask>& people) {
                         groups, ChartStyle{});
 }
 
-/// By the rule of the cohort page. @pre points and failed are filled.
-void judge(PersonInTask& one) {
-    std::vector<assessment::TrialOutcome> outcomes;
-    for (size_t i = 0; i < one.points.size(); ++i)
-        outcomes.push_back({one.points[i], !one.failed[i]});
-    one.standing_now = assessment::judge_standing(outcomes);
-}
-
-/// Joins sums and curves of the same people.
-std::vector<PersonInTask> people_in_tasks(const std::vector<db::TaskStanding>& standings,
-                                          const std::vector<db::AttemptPoint>& points) {
-    std::map<std::pair<int64_t, std::string>, size_t> places;
-    std::vector<PersonInTask> people;
-    for (const db::TaskStanding& standing : standings) {
-        places[{standing.user_id, standing.task_id}] = people.size();
-        people.push_back({standing, {}, {}, {}});
-    }
-    for (const db::AttemptPoint& point : points) {
-        const auto place = places.find({point.user_id, point.task_id});
-        if (place == places.end()) continue;
-        people[place->second].points.push_back(point.points);
-        people[place->second].failed.push_back(point.verdict != assessment::Verdict::kPassed);
-    }
-    for (PersonInTask& one : people) judge(one);
-    return people;
-}
-
 }  // namespace
-
-CohortReport read_cohort_report(db::Store& store, int64_t group_id, const std::string& now_utc) {
-    CohortReport report;
-    report.made_utc = now_utc;
-    report.group = "everybody";
-    if (group_id != 0) {
-        report.group.clear();
-        for (const db::GroupRecord& group : store.groups().list())
-            if (group.id == group_id) report.group = group.name;
-        if (report.group.empty())
-            throw db::StoreError(db::StoreError::Kind::kNotFound,
-                                 "there is no group " + std::to_string(group_id));
-    }
-    report.people =
-        people_in_tasks(store.attempts().standings(group_id), store.attempts().points(group_id));
-    std::set<int64_t> demonstrators;
-    for (const db::UserRecord& user : store.accounts().list())
-        if (user.demonstration) demonstrators.insert(user.id);
-    report.demonstration = std::any_of(
-        report.people.begin(), report.people.end(),
-        [&](const PersonInTask& one) { return demonstrators.contains(one.standing.user_id); });
-    return report;
-}
 
 void write_cohort_pdf(const CohortReport& report, const std::string& path) {
     const QString mark = report.demonstration ? " - DEMONSTRATION" : "";
@@ -210,38 +160,6 @@ void write_cohort_pdf(const CohortReport& report, const std::string& path) {
         write_rows(paper, row_head(), rows);
     }
     paper.finish();
-}
-
-TraineeReport read_trainee_report(db::Store& store, const db::UserRecord& user,
-                                  const std::string& now_utc) {
-    TraineeReport report;
-    report.user = user;
-    report.made_utc = now_utc;
-    report.courses = db::course_standings(store, user.id, now_utc);
-    report.attempts = store.attempts().list(user.id);
-    std::map<std::string, PersonInTask> tasks;
-    for (const db::AttemptRecord& attempt : report.attempts) {
-        if (!db::counts(attempt)) continue;
-        PersonInTask& one = tasks[attempt.task_id];
-        auto& s = one.standing;
-        s.user_id = user.id;
-        s.user_name = user.display_name;
-        s.task_id = attempt.task_id;
-        s.last_points = attempt.points;
-        s.last_utc = attempt.started_utc;
-        s.best_points =
-            one.points.empty() ? attempt.points : std::max(s.best_points, attempt.points);
-        s.mean_points = (s.mean_points * s.attempts + attempt.points) / (s.attempts + 1);
-        ++s.attempts;
-        s.failed += attempt.verdict == assessment::Verdict::kFailed ? 1 : 0;
-        one.points.push_back(attempt.points);
-        one.failed.push_back(attempt.verdict != assessment::Verdict::kPassed);
-    }
-    for (auto& [task, one] : tasks) {
-        judge(one);
-        report.tasks.push_back(std::move(one));
-    }
-    return report;
 }
 
 namespace {
@@ -303,46 +221,6 @@ void write_trainee_pdf(const TraineeReport& report, const std::string& path) {
             attempts);
         write_not_counted(paper, report.attempts);
     }
-    paper.finish();
-}
-
-void write_certificate_pdf(const db::CertificateRecord& certificate, const db::UserRecord& user,
-                           const curriculum::Course& course, const std::string& path) {
-    const QString name = safe(user.display_name);
-    Paper paper(path, "Placode certificate " + QString::fromStdString(certificate.code), "Placode",
-                "Placode certificate " + QString::fromStdString(certificate.code) +
-                    (user.demonstration ? " - DEMONSTRATION" : ""));
-    if (user.demonstration)
-        paper.html(
-            "<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> "
-            "- not a person's "
-            "certificate.</p>");
-    const auto half = [&](const QString& title, const QString& says, const QString& course_title,
-                          const QString& what, const QString& code) {
-        paper.html("<p align='center' style='font-size:30px'><b>" + title + "</b></p>" +
-                   "<p align='center' style='font-size:15px'>" + says + "</p>" +
-                   "<p align='center' style='font-size:24px'><b>" + name + "</b></p>" +
-                   "<p align='center' style='font-size:15px'>" + what + "</p>" +
-                   "<p align='center' style='font-size:18px'><b>" + course_title + "</b></p>" +
-                   "<p align='center' style='color:#5f666e'>" + code + "</p><p>&nbsp;</p>");
-    };
-    const QString version = QString::number(certificate.course_version);
-    half("Certificate", "This is to certify that", safe(course.title.in("en")),
-         "has mastered all " + QString::number(course.stages.size()) + " stages of the course",
-         "version " + version + ", mastered on " + day(certificate.mastered_utc) + ", issued on " +
-             day(certificate.issued_utc) + ", code " + safe(certificate.code));
-    half(QString::fromUtf8("Zaświadczenie"), QString::fromUtf8("Niniejszym zaświadcza się, że"),
-         safe(course.title.in("pl")),
-         QString::fromUtf8("zalicza wszystkie etapy kursu (") +
-             QString::number(course.stages.size()) + ")",
-         "wersja " + version + ", zaliczono " + day(certificate.mastered_utc) + ", wydano " +
-             day(certificate.issued_utc) + ", kod " + safe(certificate.code));
-    paper.html(
-        QString::fromUtf8("<p style='color:#5f666e'>Mastery in simulation "
-                          "by the rules of this course version; "
-                          "not a licence to operate. / Zaliczenie w "
-                          "symulacji według zasad tej wersji kursu; "
-                          "nie jest uprawnieniem do operowania.</p>"));
     paper.finish();
 }
 

@@ -15,6 +15,11 @@
 
 namespace placode::reports {
 
+/// Text of people, as HTML.
+[[nodiscard]] inline QString safe(const std::string& text) {
+    return QString::fromStdString(text).toHtmlEscaped();
+}
+
 class Paper {
  public:
     /// Throws ReportError when the file cannot be written.

@@ -9,9 +9,6 @@
 namespace placode::reports {
 
 /// A text of the study within the paper's HTML.
-[[nodiscard]] inline QString safe(const std::string& text) {
-    return QString::fromStdString(text).toHtmlEscaped();
-}
 /// "A1  The picture is lifelike": with the id where it is short enough to be a name.
 [[nodiscard]] inline std::string item_label(const Field& field) {
     return field.id.size() <= 2 ? field.id + "  " + field.label : field.label;
