@@ -17,6 +17,7 @@
 #include "ui/shell/ledger_view.h"
 #include "ui/shell/replay_launcher.h"
 #include "ui/shell/replay_place.h"
+#include "ui/shell/replay_time_line.h"
 #include "ui/shell/result_cards.h"
 #include "ui/shell/training.h"
 
@@ -204,19 +205,10 @@ class WatchPage : public Page {
     }
 
     void showLedger(const sim::Recording& recording) {
-        auto* layout = new QVBoxLayout;
-        layout->setSpacing(kSpace8);
-        layout->addWidget(make_label(tr("Click the time line to go there"), "heading"));
-        reports::LedgerPicture picture =
-            reports::ledger_picture(recording, reports::scope_of(recording.header));
-        ledger_ = new LedgerView(context_, std::move(picture));
-        ledger_->setObjectName("ledger");
-        layout->addWidget(ledger_);
-        ledger_->chosen = [this](double time_s, int entry) {
-            jump(entry < 0 ? time_s : std::max(0.0, time_s - kLeadS));
-        };
-        layout->addWidget(eventTable());
-        pictures_->addWidget(make_card(layout));
+        const TimeLine line =
+            make_time_line(context_, recording, [this](double time_s) { jump(time_s); });
+        ledger_ = line.ledger;
+        pictures_->addWidget(line.card);
         if (blinded_) return;  // remarks name people
         pictures_->addWidget(make_comments_card(
             context_, record_.id, record_.user_id,
@@ -225,40 +217,6 @@ class WatchPage : public Page {
             [this](const std::vector<db::CommentRecord>& comments) {
                 ledger_->setMarks(marks_of(comments));
             }));
-    }
-
-    /// The same entries as a list, for keyboards and screen readers.
-    QTableWidget* eventTable() {
-        QTableWidget* table =
-            make_table({tr("Time"), tr("What"), tr("Where")}, tr("Entries of the damage ledger"));
-        table->setObjectName("ledger_table");
-        table->setSortingEnabled(false);
-        const auto& entries = ledger_->picture().entries;
-        table->setRowCount(static_cast<int>(entries.size()));
-        for (size_t i = 0; i < entries.size(); ++i) {
-            const int row = static_cast<int>(i);
-            table->setItem(
-                row, 0,
-                make_number_cell(reports::minute_second(entries[i].from_s), entries[i].from_s));
-            QString words = reports::ledger_words(entries[i]);
-            if (entries[i].critical) words += " · " + tr("critical");
-            table->setItem(row, 1, make_cell(words));
-            table->setItem(row, 2, make_cell(reports::place_words(entries[i])));
-        }
-        fit_columns(table, 1);
-        table->setFixedHeight(std::min(5, std::max(1, table->rowCount())) * kTouchTarget + 48);
-        table->setVisible(!entries.empty());
-        connect(table, &QTableWidget::cellActivated, this, [this](int row, int) {
-            jump(std::max(0.0,
-                          ledger_->picture().entries[static_cast<size_t>(row)].from_s - kLeadS));
-        });
-        connect(table, &QTableWidget::currentCellChanged, this,
-                [this](int row) { ledger_->select(row); });
-        ledger_->selected = [table](int entry) {
-            const QSignalBlocker quiet(table);
-            table->selectRow(entry);
-        };
-        return table;
     }
 
     void playOrPause() {
