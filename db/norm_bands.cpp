@@ -178,7 +178,7 @@ curriculum::NormPack make_norms(const std::vector<LevelAttempts>& levels, const 
 }
 
 int64_t keep_own_norms(Store& store, const curriculum::NormPack& pack,
-                       const std::string& passphrase) {
+                       std::string_view passphrase) {
     const OpenCentreKey key = store.norms().open_centre_key(pack.centre, passphrase);
     curriculum::NormPack own = pack;
     own.centre = key.centre;

@@ -48,8 +48,7 @@ struct LevelAttempts {
 /// Signs with the centre's key, which its passphrase opens, and keeps the pack. The key is made
 /// when it is missing, and sealed when it lies in clear (Norms::open_centre_key, which it throws
 /// as).
-int64_t keep_own_norms(Store& store, const curriculum::NormPack& pack,
-                       const std::string& passphrase);
+int64_t keep_own_norms(Store& store, const curriculum::NormPack& pack, std::string_view passphrase);
 
 /// The pack in use for a task, if there is one.
 [[nodiscard]] std::optional<NormPackRecord> norms_in_use(Store& store, const std::string& task_id);

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "db/records.h"
@@ -40,21 +41,21 @@ class Norms {
     /// version kept in clear is sealed under the passphrase now. Throws kRefused for a wrong
     /// passphrase, one too short for a new seal, and when a key has to be made without a name.
     [[nodiscard]] OpenCentreKey open_centre_key(const std::string& centre,
-                                                const std::string& passphrase);
+                                                std::string_view passphrase);
     /// Seals what lies in clear: written sealed, read back and opened, and only then committed.
     /// Throws kNotFound without a key, kConflict for one that is sealed. As the next three it needs
     /// the log-in of the tables' owner on a server, and throws kRefused for another one.
-    void seal_centre_key(const std::string& passphrase);
-    void change_key_passphrase(const std::string& old_one, const std::string& new_one);
+    void seal_centre_key(std::string_view passphrase);
+    void change_key_passphrase(std::string_view old_one, std::string_view new_one);
     /// Another key in its place, for a passphrase that is lost or a key that somebody else may
     /// have. What the old one signed stays right: its public half stays trusted here.
-    void renew_centre_key(const std::string& passphrase);
+    void renew_centre_key(std::string_view passphrase);
     /// The sealed key as a file for another store of the centre; it opens with the same passphrase.
     /// Throws kRefused while it lies in clear.
     [[nodiscard]] std::string exported_centre_key();
     /// Takes what exported_centre_key() wrote. Throws kDamaged for another text, kRefused for a
     /// wrong passphrase, kConflict where there is a key, unless another one is to be replaced.
-    void take_centre_key(const std::string& text, const std::string& passphrase, bool replace);
+    void take_centre_key(const std::string& text, std::string_view passphrase, bool replace);
     /// What this centre calls itself; empty while it has no key. No secret.
     [[nodiscard]] std::string centre_name();
     void trust_centre(const std::string& public_key, const std::string& centre);
@@ -72,13 +73,13 @@ class Norms {
     struct KeptKey;
     [[nodiscard]] std::optional<KeptKey> kept_key();
     [[nodiscard]] KeptKey need_key();
-    [[nodiscard]] OpenCentreKey opened(const KeptKey& kept, const std::string& passphrase);
-    void need_passphrase(const std::string& passphrase);
+    [[nodiscard]] OpenCentreKey opened(const KeptKey& kept, std::string_view passphrase);
+    void need_passphrase(std::string_view passphrase);
     void need_owner_of_key();
     void add_key(const KeptKey& key);
     void replace_key(const KeptKey& key);
     void trust_own(const KeptKey& key);
-    void need_readable(const KeptKey& key, const std::string& passphrase, const Secret& secret);
+    void need_readable(const KeptKey& key, std::string_view passphrase, const Secret& secret);
     void overwrite_clear_bytes();
 
     StoreContext& context_;

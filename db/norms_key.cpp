@@ -19,7 +19,7 @@ using Kind = StoreError::Kind;
 constexpr const char* kKeyFormat = "placode centre key";
 
 /// Whether both halves are one key's.
-bool is_pair(const std::string& public_key, const std::string& secret_key) {
+bool is_pair(const std::string& public_key, std::string_view secret_key) {
     const std::string proof = "a key pair that fits";
     try {
         return signature_is_right(proof, sign_text(proof, secret_key), public_key);
@@ -49,7 +49,7 @@ Norms::KeptKey Norms::need_key() {
     return *kept;
 }
 
-void Norms::need_passphrase(const std::string& passphrase) {
+void Norms::need_passphrase(std::string_view passphrase) {
     if (const auto problem = passphrase_problem(passphrase))
         connection_.fail(Kind::kRefused, *problem);
 }
@@ -63,7 +63,7 @@ void Norms::need_owner_of_key() {
                 "owner; let an administrator run `placodectl norms key seal` with it"));
 }
 
-OpenCentreKey Norms::opened(const KeptKey& kept, const std::string& passphrase) {
+OpenCentreKey Norms::opened(const KeptKey& kept, std::string_view passphrase) {
     auto secret = open_key(kept.kept, passphrase);
     if (!secret)
         connection_.fail(Kind::kRefused,
@@ -74,7 +74,7 @@ OpenCentreKey Norms::opened(const KeptKey& kept, const std::string& passphrase) 
     return {kept.centre, kept.public_key, std::move(*secret)};
 }
 
-void Norms::need_readable(const KeptKey& key, const std::string& passphrase, const Secret& secret) {
+void Norms::need_readable(const KeptKey& key, std::string_view passphrase, const Secret& secret) {
     const KeptKey there = need_key();
     if (there.public_key != key.public_key ||
         opened(there, passphrase).secret_key.text() != secret.text())
@@ -127,7 +127,7 @@ std::optional<CentreKey> Norms::centre_key() {
     return CentreKey{kept->centre, kept->public_key, kept->made_utc, is_sealed_key(kept->kept)};
 }
 
-OpenCentreKey Norms::open_centre_key(const std::string& centre, const std::string& passphrase) {
+OpenCentreKey Norms::open_centre_key(const std::string& centre, std::string_view passphrase) {
     connection_.begin_operation("open the centre's key in");
     context_.need(Action::kSetStandards);
     if (const auto kept = kept_key(); kept && is_sealed_key(kept->kept))
@@ -159,7 +159,7 @@ OpenCentreKey Norms::open_centre_key(const std::string& centre, const std::strin
     return {key.centre, key.public_key, Secret(secret.text())};
 }
 
-void Norms::seal_centre_key(const std::string& passphrase) {
+void Norms::seal_centre_key(std::string_view passphrase) {
     connection_.begin_operation("seal the centre's key in");
     context_.need_any({Action::kSetStandards, Action::kBackup});
     need_passphrase(passphrase);
@@ -186,7 +186,7 @@ void Norms::seal_centre_key(const std::string& passphrase) {
     overwrite_clear_bytes();
 }
 
-void Norms::change_key_passphrase(const std::string& old_one, const std::string& new_one) {
+void Norms::change_key_passphrase(std::string_view old_one, std::string_view new_one) {
     connection_.begin_operation("change the passphrase of the centre's key in");
     context_.need_any({Action::kSetStandards, Action::kBackup});
     need_passphrase(new_one);
@@ -206,7 +206,7 @@ void Norms::change_key_passphrase(const std::string& old_one, const std::string&
     work.commit();
 }
 
-void Norms::renew_centre_key(const std::string& passphrase) {
+void Norms::renew_centre_key(std::string_view passphrase) {
     connection_.begin_operation("make a new key of the centre in");
     context_.need_any({Action::kSetStandards, Action::kBackup});
     need_passphrase(passphrase);
@@ -251,7 +251,7 @@ std::string Norms::exported_centre_key() {
         .toStdString();
 }
 
-void Norms::take_centre_key(const std::string& text, const std::string& passphrase, bool replace) {
+void Norms::take_centre_key(const std::string& text, std::string_view passphrase, bool replace) {
     connection_.begin_operation("take a centre's key into");
     context_.need_any({Action::kSetStandards, Action::kBackup});
     const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();

@@ -35,10 +35,11 @@ struct SealedParts {
 class BoxKey {
  public:
     /// The same passphrase typed on another keyboard may arrive decomposed. RFC 8265.
-    BoxKey(const std::string& passphrase, const SealedParts& parts) {
-        std::string text = QString::fromStdString(passphrase)
-                               .normalized(QString::NormalizationForm_C)
-                               .toStdString();
+    BoxKey(std::string_view passphrase, const SealedParts& parts) {
+        std::string text =
+            QString::fromUtf8(passphrase.data(), static_cast<qsizetype>(passphrase.size()))
+                .normalized(QString::NormalizationForm_C)
+                .toStdString();
         const int made = crypto_pwhash(
             bytes_.data(), bytes_.size(), text.data(), text.size(), parts.salt.data(), parts.passes,
             static_cast<size_t>(parts.memory_bytes), crypto_pwhash_ALG_ARGON2ID13);
@@ -78,15 +79,17 @@ std::optional<SealedParts> read_parts(const std::string& sealed) {
 
 bool is_sealed_key(const std::string& kept) { return kept.starts_with(kSealedMark); }
 
-std::optional<Said> passphrase_problem(const std::string& passphrase) {
-    if (QString::fromStdString(passphrase).toUcs4().size() >= kLeastPassphraseLength)
+std::optional<Said> passphrase_problem(std::string_view passphrase) {
+    if (QString::fromUtf8(passphrase.data(), static_cast<qsizetype>(passphrase.size()))
+            .toUcs4()
+            .size() >= kLeastPassphraseLength)
         return std::nullopt;
     return Said::that(
                "the passphrase is too short; expected at least %1 characters, four words are good")
         .with(kLeastPassphraseLength);
 }
 
-std::string seal_key(const std::string& secret, const std::string& passphrase, bool cheap) {
+std::string seal_key(std::string_view secret, std::string_view passphrase, bool cheap) {
     need_sodium();
     SealedParts parts;
     parts.passes = cheap ? crypto_pwhash_OPSLIMIT_MIN : crypto_pwhash_OPSLIMIT_MODERATE;
@@ -101,7 +104,7 @@ std::string seal_key(const std::string& secret, const std::string& passphrase, b
            " " + hex_of(parts.salt) + " " + hex_of(parts.nonce) + " " + hex_of(parts.box);
 }
 
-std::optional<Secret> open_key(const std::string& sealed, const std::string& passphrase) {
+std::optional<Secret> open_key(const std::string& sealed, std::string_view passphrase) {
     need_sodium();
     const auto parts = read_parts(sealed);
     if (!parts)

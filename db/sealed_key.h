@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "db/said.h"
 #include "db/secret.h"
@@ -17,16 +18,16 @@ namespace placode::db {
 [[nodiscard]] bool is_sealed_key(const std::string& kept);
 
 /// What is wrong with a new passphrase in plain words, or nothing.
-[[nodiscard]] std::optional<Said> passphrase_problem(const std::string& passphrase);
+[[nodiscard]] std::optional<Said> passphrase_problem(std::string_view passphrase);
 
 /// Throws StoreError(kUnavailable) when memory for Argon2id is missing.
 /// @param cheap tests only: least work for Argon2id.
-[[nodiscard]] std::string seal_key(const std::string& secret, const std::string& passphrase,
+[[nodiscard]] std::string seal_key(std::string_view secret, std::string_view passphrase,
                                    bool cheap);
 
 /// nullopt: the passphrase is wrong, or the text was changed. Throws StoreError: kDamaged for a
 /// text that is no sealed key, kUnavailable when memory is missing.
 [[nodiscard]] std::optional<Secret> open_key(const std::string& sealed,
-                                             const std::string& passphrase);
+                                             std::string_view passphrase);
 
 }  // namespace placode::db

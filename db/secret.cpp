@@ -5,46 +5,38 @@
 #include <sodium.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "db/password.h"
+#include "db/store_error.h"
 
 namespace placode::db {
-namespace {
-
-/// Longer than what a string keeps within itself: those bytes would move with the object.
-constexpr size_t kOwnMemory = 64;
-
-}  // namespace
 
 void wipe(std::string& text) noexcept {
     sodium_memzero(text.data(), text.capacity());
     text.clear();
 }
 
-Secret::Secret(const std::string& text) { take(text); }
+// Not a string: only whole pages can be left out of a core file, and a string's bytes share theirs.
+Secret::Secret(std::string_view text) : size_(text.size()) {
+    if (text.empty()) return;
+    need_sodium();
+    bytes_ = static_cast<char*>(sodium_malloc(size_));
+    if (bytes_ == nullptr)
+        throw StoreError(StoreError::Kind::kUnavailable,
+                         "keep a secret: no memory is free; close other programs");
+    std::copy(text.begin(), text.end(), bytes_);
+}
 
-Secret::~Secret() { drop(); }
+Secret::~Secret() { sodium_free(bytes_); }  // Overwrites first.
 
-Secret::Secret(Secret&& other) noexcept { text_.swap(other.text_); }
+Secret::Secret(Secret&& other) noexcept
+    : bytes_(std::exchange(other.bytes_, nullptr)), size_(std::exchange(other.size_, 0)) {}
 
 Secret& Secret::operator=(Secret&& other) noexcept {
-    if (this != &other) {
-        drop();
-        text_.swap(other.text_);
-    }
+    std::swap(bytes_, other.bytes_);
+    std::swap(size_, other.size_);
     return *this;
-}
-
-void Secret::take(const std::string& text) {
-    text_.reserve(std::max(kOwnMemory, text.size()));
-    // Locks and, on Linux, leaves the pages out of core files. Refused beyond the limit of locked
-    // memory: the text is overwritten all the same.
-    (void)sodium_mlock(text_.data(), text_.capacity());
-    text_ = text;
-}
-
-void Secret::drop() noexcept {
-    if (text_.capacity() < kOwnMemory) return;             // Moved from, or never filled.
-    (void)sodium_munlock(text_.data(), text_.capacity());  // Overwrites first.
-    wipe(text_);
 }
 
 }  // namespace placode::db

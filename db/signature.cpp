@@ -25,16 +25,19 @@ KeyPair new_key_pair() {
     std::array<unsigned char, crypto_sign_PUBLICKEYBYTES> open{};
     std::array<unsigned char, crypto_sign_SECRETKEYBYTES> secret{};
     crypto_sign_keypair(open.data(), secret.data());
-    return {hex_of(open), hex_of(secret)};
+    KeyPair pair{hex_of(open), hex_of(secret)};
+    sodium_memzero(secret.data(), secret.size());
+    return pair;
 }
 
-std::string sign_text(const std::string& text, const std::string& secret_key) {
+std::string sign_text(const std::string& text, std::string_view secret_key) {
     need_sodium();
     std::array<unsigned char, crypto_sign_SECRETKEYBYTES> secret{};
     if (!bytes_of_hex(secret_key, secret))
         throw StoreError(StoreError::Kind::kDamaged, "sign: the centre's key is damaged");
     std::array<unsigned char, crypto_sign_BYTES> signature{};
     crypto_sign_detached(signature.data(), nullptr, bytes_in(text), text.size(), secret.data());
+    sodium_memzero(secret.data(), secret.size());
     return hex_of(signature);
 }
 

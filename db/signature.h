@@ -4,6 +4,7 @@
 // Ed25519 signatures of texts (libsodium). Keys and signatures are hexadecimal.
 
 #include <string>
+#include <string_view>
 
 namespace placode::db {
 
@@ -14,7 +15,7 @@ struct KeyPair {
 [[nodiscard]] KeyPair new_key_pair();
 
 /// Detached signature over the bytes of `text`. Throws StoreError for a key that is none.
-[[nodiscard]] std::string sign_text(const std::string& text, const std::string& secret_key);
+[[nodiscard]] std::string sign_text(const std::string& text, std::string_view secret_key);
 
 /// False for everything that is not a right signature of exactly this text by this key.
 [[nodiscard]] bool signature_is_right(const std::string& text, const std::string& signature,

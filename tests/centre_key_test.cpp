@@ -90,8 +90,8 @@ TEST_P(CentreKey, IsSealedFromItsFirstMoment) {
     EXPECT_EQ(store->norms().centre_key()->public_key, made.public_key);
     EXPECT_TRUE(store->norms().centre_key()->sealed);
     EXPECT_TRUE(db::is_sealed_key(kept()));
-    EXPECT_THAT(kept(), Not(HasSubstr(made.secret_key.text().substr(0, 32))));
-    EXPECT_THAT(files_with(made.secret_key.text().substr(0, 32)), IsEmpty());
+    EXPECT_THAT(kept(), Not(HasSubstr(std::string(made.secret_key.text().substr(0, 32)))));
+    EXPECT_THAT(files_with(std::string(made.secret_key.text().substr(0, 32))), IsEmpty());
     EXPECT_THAT(files_with(kPassphrase), IsEmpty());
     // The same key again, and nobody else's passphrase opens it, however often it is tried.
     EXPECT_EQ(store->norms().open_centre_key("B", kPassphrase).secret_key.text(),
@@ -196,7 +196,7 @@ TEST_P(CentreKey, IsReplacedAndWhatItSignedStaysRight) {
 TEST_P(CentreKey, GoesToAnotherStoreSealed) {
     const auto made = store->norms().open_centre_key("A", kPassphrase);
     const std::string file = store->norms().exported_centre_key();
-    EXPECT_THAT(file, Not(HasSubstr(made.secret_key.text().substr(0, 32))));
+    EXPECT_THAT(file, Not(HasSubstr(std::string(made.secret_key.text().substr(0, 32)))));
     const auto there = db::open_store("sqlite:" + folder.file("there.db"), options);
     EXPECT_EQ(failure_of([&] { there->norms().take_centre_key("{}", kPassphrase, false); }).kind(),
               StoreError::Kind::kDamaged);

@@ -129,7 +129,7 @@ void ShellCentreKeyTest::thePassphraseIsAskedForUntilItIsRight() {
     steps.emplace_back([](QWidget& dialog) { answer(dialog, "four words are good"); });
     inDialog(steps);
     QVERIFY(
-        ask_centre_passphrase(shell.context(), &shell.window(), [&](const std::string& passphrase) {
+        ask_centre_passphrase(shell.context(), &shell.window(), [&](std::string_view passphrase) {
             (void)shell.owner().norms().open_centre_key("", passphrase);
             ++used;
         }));

@@ -112,7 +112,7 @@ class HealthPage : public Page {
                "place; without it only a new key helps."),
             tr("Seal the key"), true};
         const bool sealed =
-            ask_passphrase(context_, this, question, [this](const std::string& passphrase) {
+            ask_passphrase(context_, this, question, [this](std::string_view passphrase) {
                 context_.require(db::Action::kBackup, db::Scope::kOther);
                 context_.store().norms().seal_centre_key(passphrase);
             });

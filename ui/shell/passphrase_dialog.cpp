@@ -20,7 +20,7 @@ class PassphraseDialog : public QDialog {
     Q_DECLARE_TR_FUNCTIONS(PassphraseDialog)
  public:
     PassphraseDialog(AppContext& context, QWidget* parent, const PassphraseQuestion& question,
-                     const std::function<void(const std::string&)>& use)
+                     const std::function<void(std::string_view)>& use)
         : QDialog(parent), context_(context), use_(use) {
         setObjectName("passphrase_dialog");
         setWindowTitle(tr("Passphrase of the centre's key"));
@@ -115,7 +115,7 @@ class PassphraseDialog : public QDialog {
     }
 
     AppContext& context_;
-    const std::function<void(const std::string&)>& use_;
+    const std::function<void(std::string_view)>& use_;
     QLineEdit *phrase_ = nullptr, *again_ = nullptr;
     QLabel* message_ = nullptr;
 };
@@ -123,13 +123,13 @@ class PassphraseDialog : public QDialog {
 }  // namespace
 
 bool ask_passphrase(AppContext& context, QWidget* parent, const PassphraseQuestion& question,
-                    const std::function<void(const std::string&)>& use) {
+                    const std::function<void(std::string_view)>& use) {
     PassphraseDialog dialog(context, parent, question, use);
     return dialog.exec() == QDialog::Accepted;
 }
 
 bool ask_centre_passphrase(AppContext& context, QWidget* parent,
-                           const std::function<void(const std::string&)>& use) {
+                           const std::function<void(std::string_view)>& use) {
     const auto key = context.store().norms().centre_key();
     PassphraseQuestion question;
     question.verb = PassphraseDialog::tr("Sign");

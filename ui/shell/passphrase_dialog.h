@@ -5,7 +5,7 @@
 
 #include <QString>
 #include <functional>
-#include <string>
+#include <string_view>
 
 class QWidget;
 
@@ -23,11 +23,11 @@ struct PassphraseQuestion {
 /// the dialog, which stays. False: the user gave up, and nothing was done. Main thread.
 [[nodiscard]] bool ask_passphrase(AppContext& context, QWidget* parent,
                                   const PassphraseQuestion& question,
-                                  const std::function<void(const std::string&)>& use);
+                                  const std::function<void(std::string_view)>& use);
 
 /// The same for the centre's key of the open store: a new passphrase where there is no key yet or
 /// an earlier version kept it in clear, else the one that it has.
 [[nodiscard]] bool ask_centre_passphrase(AppContext& context, QWidget* parent,
-                                         const std::function<void(const std::string&)>& use);
+                                         const std::function<void(std::string_view)>& use);
 
 }  // namespace placode::ui

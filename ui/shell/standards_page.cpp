@@ -174,7 +174,7 @@ class StandardsPage : public Page {
                                QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(),
                                curriculum::kLeastNormGroup);
             const bool kept =
-                ask_centre_passphrase(context_, this, [&](const std::string& passphrase) {
+                ask_centre_passphrase(context_, this, [&](std::string_view passphrase) {
                     db::keep_own_norms(context_.store(), pack, passphrase);
                 });
             if (!kept) return;
