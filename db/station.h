@@ -4,11 +4,14 @@
 // What a computer keeps outside of a store to prove what it wrote: a key that signs, and how far
 // the store's audit trail went. The key file (Ed25519, mode 0600) is $PLACODE_STATION_KEY, else
 // placode/station.key in the user's data folder. It is made at its first use and is in no backup.
+// One that others can read or write, or that is another account's, is refused at every opening; a
+// systemd credential (below $CREDENTIALS_DIRECTORY) is the service's alone by other means.
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "db/secret.h"
 #include "db/signature.h"
 #include "db/store_url.h"
 
@@ -20,7 +23,7 @@ class Station {
     explicit Station(const StoreUrl& url);
 
     /// Hexadecimal; "" where there can be no key: a folder that is not writable.
-    /// Throws kDamaged for a file that holds none.
+    /// Throws kDamaged for a file that holds none, kRefused for one that is not private.
     [[nodiscard]] const std::string& public_key();
     /// As it is on the disk, without making one.
     [[nodiscard]] std::string public_key_if_any();
@@ -44,11 +47,14 @@ class Station {
 
  private:
     [[nodiscard]] bool read_key();
+    void need_private(int file) const;
+    [[noreturn]] void say_damaged() const;
     void make_key();
 
     std::string key_path_;
     std::vector<std::string> head_paths_;  ///< A store in memory has none.
-    KeyPair keys_;
+    std::string public_key_;
+    Secret secret_key_;  ///< As long as this lives: in no core file.
     bool tried_ = false;
 };
 

@@ -10141,6 +10141,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 <context>
     <name>Said</name>
     <message>
+        <source>the station&apos;s key %1 is open to others (mode %2); `chmod 600` it, or move it away if somebody may have copied it: the computer then signs as a new station</source>
+        <translation>klucz stanowiska %1 jest dostępny dla innych (prawa %2); ustaw `chmod 600` albo przenieś go gdzie indziej, jeśli ktoś mógł go skopiować: komputer podpisuje wtedy jako nowe stanowisko</translation>
+    </message>
+    <message>
+        <source>the station&apos;s key %1 belongs to another account (number %2); run Placode as that one, or set PLACODE_STATION_KEY to a file of your own</source>
+        <translation>klucz stanowiska %1 należy do innego konta (numer %2); uruchom Placode na tamtym koncie albo ustaw w PLACODE_STATION_KEY własny plik</translation>
+    </message>
+    <message>
         <source>perform an attempt</source>
         <translation>wykonać próby</translation>
     </message>
