@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "curriculum/attempt_frames.h"
 #include "curriculum/operator_sight.h"
@@ -19,6 +20,14 @@
 #include "tests/attempt_fixture.h"
 
 namespace placode::test {
+
+/// One frame with recorded hands.
+inline void step_with(const sim::Scene& scene, sim::State& state, const sim::Input& input) {
+    state.substeps = input.substeps;
+    std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
+    const size_t tools = scene.tools.size();
+    (void)sim::step(scene, state, {input.tools, tools}, {feedback.data(), tools});
+}
 
 class LiveAttempt final : private curriculum::AttemptBook {
  public:
@@ -46,10 +55,10 @@ class LiveAttempt final : private curriculum::AttemptBook {
     [[nodiscard]] const sim::Scene& scene() const { return *scene_; }
     [[nodiscard]] sim::State& state() { return *state_; }
     [[nodiscard]] bool over() const { return reason_ != sim::EndReason::kRunning; }
-    /// What the hands did in the last frame.
-    [[nodiscard]] std::span<const sim::ToolInput> hands() const {
-        return {inputs_.data(), scene_->tools.size()};
-    }
+    /// Of the last frame.
+    [[nodiscard]] const sim::Input& input() const { return recording_.inputs.back(); }
+    /// So far.
+    [[nodiscard]] const std::vector<sim::Event>& events() const { return recording_.events; }
 
     /// One frame: both parts below.
     void step() {
@@ -101,6 +110,9 @@ class LiveAttempt final : private curriculum::AttemptBook {
             haptics::open_device(config), task.scene.tools,
             haptics::default_trocars(task.scene.tools, options_.device, config.station),
             haptics::station_limits(config.station));
+    }
+    [[nodiscard]] std::span<const sim::ToolInput> hands() const {
+        return {inputs_.data(), scene_->tools.size()};
     }
     [[nodiscard]] std::span<sim::ToolFeedback> feedback() {
         return {feedback_.data(), scene_->tools.size()};

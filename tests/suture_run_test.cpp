@@ -3,17 +3,15 @@
 // The task of a running suture: whole attempts with one thread through three channels.
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <memory>
 
 #include "assessment/bites.h"
 #include "assessment/scoring.h"
 #include "curriculum/replay.h"
-#include "sim/anatomy/operative_field.h"
-#include "sim/step/step.h"
 #include "sim/world/saved_state.h"
-#include "tests/attempt_fixture.h"
 #include "tests/count_allocations.h"
+#include "tests/live_attempt.h"
 
 namespace placode::curriculum {
 namespace THIS_TEST {
@@ -32,9 +30,9 @@ Task coarse_run() {
         {{"edge_ring_m", "0.0009"}, {"edge_placode_m", "0.0009"}, {"edge_outer_m", "0.0012"}});
 }
 
-Outcome perform(const Task& task, const std::string& level, uint64_t seed) {
+Outcome judged(const Task& task, sim::Recording recording, const std::string& level) {
     Outcome out;
-    out.recording = test::recorded(task, seed, test::scripted(level));
+    out.recording = std::move(recording);
     out.metrics = assessment::compute_metrics(out.recording);
     out.score = assessment::score_attempt(task.rubric, out.metrics, out.recording);
     for (const assessment::Metric& metric : out.metrics.values)
@@ -44,41 +42,86 @@ Outcome perform(const Task& task, const std::string& level, uint64_t seed) {
     return out;
 }
 
-/// One attempt of the expert, for all tests of this file.
-const Outcome& expert() {
-    static const Outcome outcome = perform(coarse_run(), "expert", 1);
-    return outcome;
+Outcome perform(const Task& task, const std::string& level, uint64_t seed) {
+    return judged(task, test::recorded(task, seed, test::scripted(level)), level);
 }
 
-double time_of(const sim::Recording& recording, sim::EventKind kind, int number) {
-    for (const sim::Event& event : recording.events)
+/// When an event of this kind came, counted from 0; -1 = not yet.
+double time_of(const std::vector<sim::Event>& events, sim::EventKind kind, int number) {
+    for (const sim::Event& event : events)
         if (event.kind == kind && number-- == 0) return event.time_s;
     return -1;
 }
 
-/// The expert's attempt, simulated again frame by frame.
-struct Again {
-    Again() {
-        OperativeFieldSpec spec = coarse_run().scene;
-        spec.seed = recording.header.seed;
-        scene = sim::build_operative_field(spec);
+/// A state saved in the middle of the second bite, which goes on beside the attempt for two
+/// seconds.
+class Copy {
+ public:
+    static constexpr double kAfterEntryS = 0.5, kForS = 2;
+
+    /// After every frame of the attempt.
+    void follow(test::LiveAttempt& attempt) {
+        if (entered_s_ < 0)
+            entered_s_ = time_of(attempt.events(), sim::EventKind::kNeedleEntered, 1);
+        const sim::State& state = attempt.state();
+        if (entered_s_ < 0 || state.time_s < entered_s_ + kAfterEntryS) return;
+        if (!state_) return save(attempt);
+        if (state.time_s > entered_s_ + kAfterEntryS + kForS) return;
+        test::step_with(attempt.scene(), *state_, attempt.input());
+        ++frames;
+        if (state.frame % 20 == 0 && differs_at < 0 &&
+            sim::whole_hash(*state_) != sim::whole_hash(state))
+            differs_at = state.frame;
+        same_at_last = sim::state_hash(*state_) == sim::state_hash(state);
     }
-    using OperativeFieldSpec = sim::OperativeFieldSpec;
-    [[nodiscard]] std::unique_ptr<sim::State> start() const {
-        auto state = std::make_unique<sim::State>(*scene, 1);
-        sim::settle(*scene, *state, coarse_run().settle_s);
-        return state;
+
+    int passages = 0, channels = 0;  ///< Where it was saved.
+    bool same_at_first = false, same_at_last = false;
+    int64_t frames = 0, differs_at = -1;
+
+ private:
+    void save(test::LiveAttempt& attempt) {
+        const sim::SutureState& needle = attempt.state().suturing.needle[0];
+        passages = needle.passage_count;
+        channels = needle.thread.channel_count;
+        const auto saved = sim::save_state(attempt.scene(), attempt.state());
+        state_ = std::make_unique<sim::State>(attempt.scene(), 2);
+        sim::load_state(attempt.scene(), *state_, saved);
+        same_at_first = sim::whole_hash(*state_) == sim::whole_hash(attempt.state());
     }
-    void step(sim::State& state) const {
-        const sim::Input& input = recording.inputs.at(static_cast<size_t>(state.frame));
-        state.substeps = input.substeps;
-        std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
-        const size_t tools = scene->tools.size();
-        (void)sim::step(*scene, state, {input.tools, tools}, {feedback.data(), tools});
-    }
-    const sim::Recording& recording = expert().recording;
-    std::shared_ptr<const sim::Scene> scene;
+
+    double entered_s_ = -1;
+    std::unique_ptr<sim::State> state_;
 };
+
+/// One attempt of the expert, for all tests of this file, and what was seen in its frames.
+struct Expert {
+    Expert() {
+        test::LiveAttempt attempt(coarse_run());
+        const sim::State& state = attempt.state();
+        while (!attempt.over()) {
+            attempt.look();
+            const long before = test::allocations + test::locks;
+            attempt.simulate();
+            if (test::allocations + test::locks != before && allocated_at < 0)
+                allocated_at = state.frame;
+            copy.follow(attempt);
+            most_channels = std::max(most_channels, state.suturing.needle[0].thread.channel_count);
+        }
+        frames = state.frame;
+        outcome = judged(coarse_run(), attempt.recording(), "expert");
+    }
+    Outcome outcome;
+    Copy copy;
+    int64_t frames = 0, allocated_at = -1;
+    int most_channels = 0;
+};
+
+const Expert& made() {
+    static const Expert expert;
+    return expert;
+}
+const Outcome& expert() { return made().outcome; }
 
 TEST(SutureRun, TheMarksLieWhereTheTaskSays) {
     const Task task = load_task("suture_run");
@@ -133,38 +176,21 @@ TEST(SutureRun, ThreeChannelsAreReplayedBitForBitOnTwoThreads) {
     EXPECT_EQ(replay.result().frames, std::ssize(expert().recording.inputs));
 }
 
-// From before the second bite to the third channel: nothing allocated, and what is saved in the
-// middle of the second bite goes on the same, thread through two channels and all.
+// Nothing is allocated from the first frame to the last, three channels and all; and what is saved
+// in the middle of the second bite goes on the same, thread through two channels and all.
 TEST(SutureRun, WhatIsSavedInTheSecondBiteGoesOnTheSameAndNoFrameAllocates) {
-    const Again again;
-    const double second_s = time_of(again.recording, sim::EventKind::kNeedleEntered, 1),
-                 third_s = time_of(again.recording, sim::EventKind::kThreaded, 2);
-    ASSERT_GT(second_s, 0);
-    ASSERT_GT(third_s, second_s);
-    const auto state = again.start();
-    const auto step = [&](sim::State& of) {
-        const long before = test::allocations + test::locks;
-        again.step(of);
-        ASSERT_EQ(test::allocations + test::locks, before) << "frame " << of.frame;
-    };
-    while (state->time_s < second_s + 0.5) step(*state);
-    const sim::SutureState& needle = state->suturing.needle[0];
-    ASSERT_GT(needle.passage_count, 3) << "in the second bite";
-    ASSERT_GE(needle.thread.channel_count, 1) << "and its thread in the first";
-    const auto saved = sim::save_state(*again.scene, *state);
-    sim::State copy(*again.scene, 2);
-    sim::load_state(*again.scene, copy, saved);
-    ASSERT_EQ(sim::whole_hash(copy), sim::whole_hash(*state));
-    while (state->time_s < second_s + 2.5) {
-        step(*state);
-        again.step(copy);
-        if (state->frame % 20 == 0) {
-            ASSERT_EQ(sim::whole_hash(copy), sim::whole_hash(*state)) << state->frame;
-        }
-    }
-    EXPECT_EQ(sim::state_hash(copy), sim::state_hash(*state));
-    while (state->time_s < third_s + 0.2) step(*state);
-    EXPECT_EQ(needle.thread.channel_count, 3);
+    const Copy& copy = made().copy;
+    EXPECT_EQ(made().allocated_at, -1) << "frame";
+    ASSERT_GT(copy.passages, 3) << "in the second bite";
+    ASSERT_GE(copy.channels, 1) << "and its thread in the first";
+    ASSERT_TRUE(copy.same_at_first);
+    EXPECT_EQ(copy.differs_at, -1) << "frame";
+    EXPECT_TRUE(copy.same_at_last);
+    EXPECT_NEAR(static_cast<double>(copy.frames), 1000 * Copy::kForS, 2);
+    EXPECT_GT(time_of(expert().recording.events, sim::EventKind::kThreaded, 2),
+              time_of(expert().recording.events, sim::EventKind::kNeedleEntered, 1));
+    EXPECT_EQ(made().most_channels, 3);
+    EXPECT_EQ(made().frames, std::ssize(expert().recording.inputs));
 }
 
 }  // namespace THIS_TEST

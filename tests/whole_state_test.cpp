@@ -44,13 +44,6 @@ std::vector<Case> cases() {
     return all;
 }
 
-void step_with(const sim::Scene& scene, sim::State& state, const sim::Input& input) {
-    state.substeps = input.substeps;
-    std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
-    const size_t tools = scene.tools.size();
-    (void)sim::step(scene, state, {input.tools, tools}, {feedback.data(), tools});
-}
-
 /// What an attempt saved, and how it went on from there.
 struct Course {
     /// @param each  The whole is hashed after so many frames one by one, then after every 20th: it
@@ -75,7 +68,7 @@ struct Course {
     /// From the saved frame on.
     [[nodiscard]] int64_t frames() const { return std::ssize(hashes); }
     void step(sim::State& other) const {
-        step_with(scene(), other, inputs.at(static_cast<size_t>(other.frame)));
+        test::step_with(scene(), other, inputs.at(static_cast<size_t>(other.frame)));
     }
     /// Of the frame that `other` has reached.
     [[nodiscard]] size_t at(const sim::State& other) const {
@@ -185,10 +178,7 @@ TEST(WholeState, OtherBytesAreRefusedAndChangeNothing) {
     };
     sim::load_own_state(state, saved);
     EXPECT_TRUE(sim::save_state(scene, state) == saved);
-    sim::Input input;
-    input.substeps = state.substeps;
-    std::copy(attempt.hands().begin(), attempt.hands().end(), input.tools);
-    step_with(scene, state, input);
+    test::step_with(scene, state, attempt.input());
     EXPECT_EQ(sim::whole_hash(state), before) << "the frame after it is the same";
     for (const size_t size : {size_t{0}, size_t{20}, size_t{40}, saved.size() - 1})
         EXPECT_THROW(sim::load_own_state(state, std::span(saved).first(size)), sim::StateError);
