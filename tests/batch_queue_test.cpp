@@ -112,10 +112,11 @@ TEST_F(BatchQueue, IdleComputersDoItAndTheResultIsTheSame) {
 TEST_F(BatchQueue, RecordingsAndATaskOfOnesOwnGoAlong) {
     fs::create_directories(file("recordings"));
     for (int seed = 1; seed <= 2; ++seed) {
+        // By then it has touched something and lost points.
         const Outcome made = run(
-            "placode-sim", "--task touch_targets --device script:novice --headless --fast --seed " +
-                               std::to_string(seed) + " --record recordings/" +
-                               std::to_string(seed) + ".placode");
+            "placode-sim",
+            "--task touch_targets --device script:novice --headless --fast --duration 8 --seed " +
+                std::to_string(seed) + " --record recordings/" + std::to_string(seed) + ".placode");
         ASSERT_EQ(made.status, 0) << made.err;
     }
     std::string mine = read_text(PLACODE_SOURCE_DIR "/data/tasks/touch_targets.json");

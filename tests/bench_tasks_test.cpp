@@ -34,6 +34,18 @@ class BenchTasks : public Programs {
     [[nodiscard]] Outcome bench(const std::string& arguments) const {
         return ctl("bench tasks --protocol short.json " + arguments);
     }
+    /// The expert's entry as "e": performed once, whichever test asks first.
+    void enter_expert() const {
+        static const TemporaryFolder made;
+        const bool again = fs::exists(made.path() / "entry.json");
+        if (!again) {
+            const Outcome entered = bench("--policy expert --out e --json");
+            ASSERT_EQ(entered.status, 0) << entered.err;
+        }
+        const fs::path mine = file("e");
+        fs::copy(again ? made.path() : mine, again ? mine : made.path(),
+                 fs::copy_options::recursive);
+    }
     [[nodiscard]] Json entry(const std::string& folder) const {
         return Json::parse(read_text(file(folder + "/entry.json")));
     }
@@ -64,8 +76,7 @@ class BenchTasks : public Programs {
 };
 
 TEST_F(BenchTasks, AnExpertsEntryIsGenuine) {
-    const Outcome made = bench("--policy expert --out e --json");
-    ASSERT_EQ(made.status, 0) << made.err;
+    ASSERT_NO_FATAL_FAILURE(enter_expert());
     const Json json = entry("e");
     EXPECT_EQ(json["attempts"].size(), 4U);
     EXPECT_TRUE(json["complete"].get<bool>());
@@ -81,7 +92,7 @@ TEST_F(BenchTasks, AnExpertsEntryIsGenuine) {
 }
 
 TEST_F(BenchTasks, ForgedEntriesAreRefuted) {
-    ASSERT_EQ(bench("--policy expert --out e").status, 0);
+    ASSERT_NO_FATAL_FAILURE(enter_expert());
     const Json json = entry("e");
     fs::copy(file("e"), file("points"), fs::copy_options::recursive);
     Json forged = json;
@@ -121,7 +132,7 @@ TEST_F(BenchTasks, ForgedEntriesAreRefuted) {
 }
 
 TEST_F(BenchTasks, OtherOperatorsEnterByTheirRecordingsAndTheBoardRanks) {
-    ASSERT_EQ(bench("--policy expert --out e").status, 0);
+    ASSERT_NO_FATAL_FAILURE(enter_expert());
     ASSERT_EQ(bench("--policy nothing --out n").status, 0);
     ASSERT_EQ(bench("--policy random --seeds 8,9 --out h --tasks trace_contour").status, 0);
     EXPECT_TRUE(entry("h")["held_out_seeds"].get<bool>());
