@@ -43,6 +43,7 @@ std::array<double, kTissueCount> courant_numbers(const SoftBodySpec& spec) {
         out[tissue] = std::max(out[tissue], wave * h / courant_length(spec.mesh, t));
     }
     for (const SheetTriangle& t : spec.sheet) {
+        if (spec.sheet_material) break;  // no tissue: it has no number among these
         // The wave of a plate in its plane, over the smallest height.
         const auto tissue = static_cast<size_t>(t.tissue);
         const Material& m = spec.materials[tissue];

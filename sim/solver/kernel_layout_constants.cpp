@@ -21,7 +21,7 @@ void add_sheet_damping(const SoftBody& body, KernelLayout& packed) {
                 m.density_kg_m3 * body.volume_m3()[as_index(t)] / 4 * m.damping_per_s;
     }
     for (const SheetTriangle& t : body.spec().sheet) {
-        const auto& m = body.spec().materials[as_index(static_cast<int>(t.tissue))];
+        const Material& m = material_of(body.spec(), t);
         const double mass = m.density_kg_m3 * area_of(body.mesh().rest, t) * t.thickness_m / 3;
         for (const int32_t v : t.vertex) damping[as_index(v)] += mass * m.damping_per_s;
     }

@@ -71,7 +71,7 @@ SheetElement element_of(const SoftBodySpec& spec, const SheetTriangle& t) {
     out.v = t.vertex;
     const auto corner = [&](size_t k) { return spec.mesh.rest[as_index(t.vertex[k % 3])]; };
     const double area = area_of(spec.mesh.rest, t);
-    const Material& m = spec.materials[static_cast<size_t>(t.tissue)];
+    const Material& m = material_of(spec, t);
     const NeoHookean c = neo_hookean(m.youngs_modulus_pa, m.poissons_ratio);
     out.material = {c.mu_pa, c.lambda_pa};
     out.volume_m3 = area * t.thickness_m;
@@ -121,7 +121,7 @@ void add_bending(const SoftBodySpec& spec, std::vector<SheetElement>& triangles)
     const auto& rest = spec.mesh.rest;
     for (size_t i = 0; i < triangles.size(); ++i) {
         SheetElement& t = triangles[i];
-        const Material& m = spec.materials[static_cast<size_t>(spec.sheet[i].tissue)];
+        const Material& m = material_of(spec, spec.sheet[i]);
         const double nu = m.poissons_ratio, thickness = spec.sheet[i].thickness_m;
         const double rigidity = spec.sheet_bending * m.youngs_modulus_pa * thickness * thickness *
                                 thickness / (12 * (1 - nu * nu));

@@ -102,8 +102,9 @@ void check_spec(const SoftBodySpec& spec) {
                        std::string(tissue_name(tissue)));
     }
     for (const SheetTriangle& t : spec.sheet) {
-        check_material(spec.materials[static_cast<size_t>(t.tissue)],
-                       std::string(tissue_name(t.tissue)));
+        check_material(material_of(spec, t), spec.sheet_material
+                                                 ? std::string("sheet")
+                                                 : std::string(tissue_name(t.tissue)));
     }
     require(spec.sheet_bending >= 0 && spec.sheet_bending <= 1,
             "sheet: bending " + rounded_text(spec.sheet_bending, 4) + ", allowed 0 to 1");
@@ -133,7 +134,7 @@ struct Lumped {
 
     void add_triangle(const SoftBodySpec& spec, const SheetTriangle& t) {
         const double area = area_of(spec.mesh.rest, t);
-        const double density = spec.materials[static_cast<size_t>(t.tissue)].density_kg_m3;
+        const double density = material_of(spec, t).density_kg_m3;
         for (size_t k = 0; k < 3; ++k) {
             const auto a = static_cast<size_t>(t.vertex[k]);
             const auto b = static_cast<size_t>(t.vertex[(k + 1) % 3]);

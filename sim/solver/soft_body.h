@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -91,7 +92,16 @@ struct SoftBodySpec {
     int spare_vertices = 0;  ///< Room for the copies that cutting makes; 0 = cannot be cut.
     std::vector<SheetTriangle> sheet;  ///< VBD only. May have vertices that no tet has.
     double sheet_bending = 1;          ///< Share of a plate's bending stiffness; 0 = a membrane.
+    /// Of the whole sheet, instead of that of its triangles' tissue: for what is no tissue.
+    std::optional<Material> sheet_material = std::nullopt;
 };
+
+/// What a triangle of the sheet is made of.
+[[nodiscard]] inline const Material& material_of(const SoftBodySpec& spec,
+                                                 const SheetTriangle& t) noexcept {
+    return spec.sheet_material ? *spec.sheet_material
+                               : spec.materials[static_cast<size_t>(t.tissue)];
+}
 
 /// Maps edges of the mesh to edges of the tet's stress-free shape (rest_scale).
 [[nodiscard]] Mat3 rest_stretch(const SoftBodySpec& spec, int tet) noexcept;
@@ -313,6 +323,11 @@ void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept;
 /// anchor_m). VBD only. @pre the spec has an anchor spring without stiffness at `vertex`.
 void set_load(const SoftBody& body, SoftBodyState& state, int vertex, const Vec3f& load_n,
               const Vec3f& k_n_m, const Vec3f& anchor_m) noexcept;
+
+/// Ties a vertex with a stiffless anchor spring to a place from now on: force = -K (x - anchor_m),
+/// K symmetric as xx xy xz yy yz zz. VBD only. @pre as set_load().
+void set_spring(const SoftBody& body, SoftBodyState& state, int vertex,
+                const std::array<float, 6>& k_n_m, const Vec3f& anchor_m) noexcept;
 
 /// Says that something has changed at a vertex, so that sleeping tissue there wakes (sleep.h).
 void rouse(SoftBodyState& state, int32_t vertex) noexcept;

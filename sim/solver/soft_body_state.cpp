@@ -179,12 +179,32 @@ void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept {
     }
 }
 
-void set_load(const SoftBody& body, SoftBodyState& state, int vertex, const Vec3f& load_n,
-              const Vec3f& k_n_m, const Vec3f& anchor_m) noexcept {
+namespace {
+
+/// Of the anchor spring of a vertex; the next row stands kLanes further.
+float* spring_of(const SoftBody& body, SoftBodyState& state, int vertex) noexcept {
     const KernelLayout& packed = packed_of(body, state);
     const int32_t slot = packed.slot[as_index(vertex)];
-    float* row =
-        state.springs.data() + packed.batches[as_index(slot / kLanes)].spring_start + slot % kLanes;
+    return state.springs.data() + packed.batches[as_index(slot / kLanes)].spring_start +
+           slot % kLanes;
+}
+
+}  // namespace
+
+void set_spring(const SoftBody& body, SoftBodyState& state, int vertex,
+                const std::array<float, 6>& k_n_m, const Vec3f& anchor_m) noexcept {
+    float* row = spring_of(body, state, vertex);
+    for (size_t r = 0; r < k_n_m.size(); ++r) row[r * kLanes] = k_n_m[r];
+    for (int i = 0; i < 3; ++i) {
+        row[(6 + i) * kLanes] = anchor_m[i];
+        row[(9 + i) * kLanes] = 0;
+    }
+    row[12 * kLanes] = 0;  // inertia alone bounds the pivots
+}
+
+void set_load(const SoftBody& body, SoftBodyState& state, int vertex, const Vec3f& load_n,
+              const Vec3f& k_n_m, const Vec3f& anchor_m) noexcept {
+    float* row = spring_of(body, state, vertex);
     const auto set = [row](int r, float value) { row[r * kLanes] = value; };
     set(0, k_n_m.x());
     set(3, k_n_m.y());

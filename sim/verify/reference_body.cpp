@@ -62,7 +62,7 @@ ReferenceBody::ReferenceBody(const SoftBodySpec& spec) {
         }
     }
     for (const SheetTriangle& t : spec.sheet) {
-        const Material& m = spec.materials[static_cast<size_t>(t.tissue)];
+        const Material& m = material_of(spec, t);
         const double mass = area_of(spec.mesh.rest, t) * t.thickness_m * m.density_kg_m3 / 3;
         for (const int32_t v : t.vertex) {
             mass_kg_[as_index(v)] += mass;

@@ -92,7 +92,7 @@ ReferenceSheet::ReferenceSheet(const SoftBodySpec& spec) : elements_(sheet_eleme
         m.b[2] = inverse.row(1).transpose();
         m.b[0] = -m.b[1] - m.b[2];
         m.volume_m3 = edges.determinant() / 2 * t.thickness_m;
-        const Material& material = spec.materials[static_cast<size_t>(t.tissue)];
+        const Material& material = material_of(spec, t);
         const NeoHookean c = neo_hookean(material.youngs_modulus_pa, material.poissons_ratio);
         m.material = {c.mu_pa, c.lambda_pa};
         membranes_.push_back(m);
