@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sim/contact/contact_core.h"
+#include "sim/contact/surface_face.h"
 #include "sim/core/tool_shape.h"
 #include "sim/mesh/box_distance.h"
 #include "sim/solver/topology.h"
@@ -25,14 +26,6 @@ constexpr double kBesideM = 1e-4;   // so far beside a face a vertex still touch
 constexpr double kStaleM = 1e-4;    // boxes may be those of the frame before
 constexpr int64_t kBesideFrames = 12;
 
-int32_t local_face(const std::array<int32_t, 4>& tet, const std::array<int32_t, 3>& face) noexcept {
-    for (int k = 0; k < 4; ++k) {
-        if (std::find(face.begin(), face.end(), tet[static_cast<size_t>(k)]) == face.end())
-            return k;
-    }
-    return 0;
-}
-
 Vec3 rest_of(const Scene& scene, const State& state, int32_t v) noexcept {
     return scene.body.mesh().rest[static_cast<size_t>(origin_of(state.body, v))];
 }
@@ -47,22 +40,6 @@ int32_t surface_tet(const Scene& scene, const State& state, int32_t v) noexcept 
         }
     }
     return -1;
-}
-
-/// Corners of a pair's face.
-std::array<int32_t, 3> face_of(const Scene& scene, const State& state,
-                               const TissuePair& pair) noexcept {
-    const auto& c = corners(scene.body, state.body, pair.tet);
-    std::array<int32_t, 3> face{};
-    for (size_t k = 0; k < 3; ++k)
-        face[k] = c[static_cast<size_t>(kTetFaces[static_cast<size_t>(pair.face)][k])];
-    return face;
-}
-
-/// False where the tissue has been cut since.
-bool is_there(const State& state, const TissuePair& pair) noexcept {
-    return state.body.tet_alive[static_cast<size_t>(pair.tet)] &&
-           state.surface.on_surface(pair.tet, pair.face);
 }
 
 /// The nearest face of other tissue within reach; vertex -1 when there is none.
@@ -158,7 +135,7 @@ bool touches(const Scene& scene, const State& state, const TissuePair& pair,
     const auto start = [&](int32_t v) {
         return to_vec(state.body.x_start[static_cast<size_t>(v)]);
     };
-    const std::array<int32_t, 3> face = face_of(scene, state, pair);
+    const std::array<int32_t, 3> face = corners_of_face(scene, state, pair.tet, pair.face);
     Triangle x;
     for (size_t k = 0; k < 3; ++k) {
         out.vertex[k + 1] = face[k];
@@ -218,7 +195,7 @@ bool touch_tissue(const Scene& scene, State& state) noexcept {
     for (size_t group = 0; group < self.pairs.size(); ++group) {
         for (int32_t i = 0; i < self.count[group]; ++i) {
             const TissuePair& pair = self.pairs[group][static_cast<size_t>(i)];
-            if (!is_there(state, pair)) continue;
+            if (!is_on_surface(state, pair.tet, pair.face)) continue;
             Contact contact;
             if (touches(scene, state, pair, contact) &&
                 !add_to_colour(state.scratch->contacts, state.body, contact))
