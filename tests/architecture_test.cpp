@@ -147,7 +147,7 @@ TEST(Architecture, EachRoomTouchesItsPartOfTheState) {
     const std::map<std::string, std::string> may{
         {"contact",
          "frame substeps body sleep surface self_contact tools tool_side pieces held_by colour "
-         "friction flags workers scratch"},
+         "friction patch flags workers scratch"},
         {"cutting",
          "frame time_s substeps body sleep surface self_contact sac heat tools grasps scissors "
          "suturing release resection pieces splits slides slides_refused held_by progress "

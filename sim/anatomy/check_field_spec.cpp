@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/anatomy/field_patch.h"
 #include "sim/anatomy/field_shape.h"
 #include "sim/core/number_text.h"
 
@@ -151,6 +152,52 @@ class Checker {
                             "expected true");
     }
 
+    /// What a patch cannot be together with, yet.
+    void beside_patch() const {
+        const std::string field = "operative field '" + spec_.id + "': patch: ";
+        if (spec_.solver.method != Method::kVbd)
+            throw MeshError(field + "it needs solver.method vbd, the only one that knows sheets");
+        if (spec_.cystic) throw MeshError(field + "not in a cystic field; expected a flat one");
+        if (spec_.heat)
+            throw MeshError(field + "it does not know heat; expected heat.enabled: false");
+        if (spec_.slit && spec_.slit->watertight)
+            throw MeshError(field + "not beside slit.watertight; leave one of them out");
+        for (const ToolSpec& t : spec_.tools) {
+            if (t.kind == ToolKind::kScissors)
+                throw MeshError(field +
+                                "it cannot be trimmed, and scissors are among the tools; leave "
+                                "one of them out");
+        }
+    }
+
+    void patch() const {
+        if (!spec_.patch) return;
+        const FieldPatch& p = *spec_.patch;
+        range("patch.thickness_m", p.thickness_m, 0.0001, 0.001);
+        range("patch.length_m", p.length_m, 0.003, 0.06);
+        range("patch.width_m", p.width_m, 0.003, 0.06);
+        // Shorter than it is thick, a triangle is no sheet; longer, the patch would not bend.
+        const double shorter = std::min(p.length_m, p.width_m);
+        range("patch.edge_m", p.edge_m, std::max(0.0003, p.thickness_m), shorter / 3);
+        const double most = 2 * p.length_m * p.width_m / kMostPatchTriangles;
+        if (p.edge_m * p.edge_m < most)
+            throw MeshError("operative field '" + spec_.id +
+                            "': patch.edge_m = " + rounded_text(p.edge_m, 6) + " makes more than " +
+                            std::to_string(kMostPatchTriangles) + " triangles; allowed from " +
+                            rounded_text(std::sqrt(most), 6));
+        range("patch.bending", p.bending, 0, 1);
+        range("patch.friction", p.friction, 0, 2);
+        range("patch.tool_friction", p.tool_friction, 0, 2);
+        range("patch.yaw_deg", p.yaw_deg, -360, 360);
+        range("patch.height_m", p.height_m, 0, 0.02);
+        for (int k = 0; k < 2; ++k) range("patch.centre_m", p.centre_m[k], -0.1, 0.1);
+        range("patch.youngs_modulus_pa", p.material.youngs_modulus_pa, 1e4, 2e7);
+        range("patch.poissons_ratio", p.material.poissons_ratio, 0, 0.49);
+        range("patch.density_kg_m3", p.material.density_kg_m3, 100, 3000);
+        range("patch.damping_per_s", p.material.damping_per_s, 0, 1000);
+        beside_patch();
+    }
+
     void mechanics() const {
         range("skin_prestretch", spec_.skin_prestretch, 1, 1.5);
         range("zone_prestretch", spec_.zone_prestretch, 1, 1.5);
@@ -158,6 +205,7 @@ class Checker {
         sac();
         suture();
         slit();
+        patch();
         range("bed_normal_pa_m", spec_.bed_normal_pa_m, 0, 1e12);
         range("bed_tangent_pa_m", spec_.bed_tangent_pa_m, 0, 1e12);
         range("side_pa_m", spec_.side_pa_m, 0, 1e12);

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "sim/anatomy/field_mesh.h"
+#include "sim/anatomy/field_patch.h"
 #include "sim/anatomy/field_sac.h"
 #include "sim/anatomy/field_supports.h"
 #include "sim/anatomy/field_suture.h"
@@ -89,6 +90,11 @@ void add_landmarks(const OperativeFieldSpec& spec, const FieldShape& shape, cons
         for (int l = 0; l < field.level[v]; ++l) depth += column.thickness_m[l];
         scene.field.depth_m.push_back(static_cast<float>(depth));
     }
+    // A patch is no part of the lesion or of its surface.
+    const size_t all = scene.body.mesh().rest.size();
+    for (std::vector<float>* far :
+         {&scene.field.to_placode_m, &scene.field.to_skin_m, &scene.field.depth_m})
+        far->resize(all, 1.0F);
 }
 
 std::vector<std::string> mesh_notes(const TetMesh& mesh, size_t tethers) {
@@ -152,8 +158,9 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
         return t.kind == ToolKind::kScissors;
     });
     if (scissors) body.spare_vertices = spec.spare_vertices;
+    std::optional<Patch> patch = add_patch(spec, field, body);
 
-    auto scene = std::make_shared<Scene>(SoftBody(std::move(body)));
+    auto scene = std::make_shared<Scene>(SoftBody(std::move(body)), std::move(patch));
     scene->id = spec.id;
     if (spec.heat) scene->heat.emplace(field.mesh, spec.materials, spec.heat_settings);
     scene->sac = std::move(sac);

@@ -40,6 +40,24 @@ struct FieldSlit {
     std::optional<WatertightSpec> watertight = std::nullopt;  ///< Slit::watertight.
 };
 
+/// A patch to cover the lesion with, flat and free at the start. All planning values, after
+/// dura substitutes of collagen (docs/patch.md); a fetal surgeon must confirm them.
+struct FieldPatch {
+    double length_m = 0.025, width_m = 0.015;  ///< Along x and y before it is turned.
+    double edge_m = 0.001;                     ///< Of its lattice of triangles.
+    double thickness_m = 0.0004;
+    double bending = 0.1;  ///< Share of a plate's bending stiffness: wet felt is softer than that.
+    double friction = 0.3, tool_friction = 0.2;  ///< On wet tissue, on instruments.
+    Vec2 centre_m = Vec2::Zero();
+    double yaw_deg = 0;
+    double height_m = 0;  ///< Above the highest tissue below it.
+    /// Young's modulus in its plane, Poisson's ratio, density, damping; the rest is not used.
+    Material material{.youngs_modulus_pa = 3e6,
+                      .poissons_ratio = 0.3,
+                      .density_kg_m3 = 1050,
+                      .damping_per_s = 20};
+};
+
 /// Parameters in SI. Defaults are those of the default preset.
 struct OperativeFieldSpec {
     std::string id = "field";
@@ -92,6 +110,7 @@ struct OperativeFieldSpec {
     HeatSettings heat_settings;
     std::optional<FieldSuture> suture;
     std::optional<FieldSlit> slit;
+    std::optional<FieldPatch> patch;
     std::vector<ToolSpec> tools;
 };
 

@@ -5,9 +5,11 @@
 #include "sim/contact/contact.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/contact/contact_core.h"
 #include "sim/contact/narrow_phase.h"
+#include "sim/contact/patch_contact.h"
 #include "sim/contact/self_contact.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
@@ -44,10 +46,23 @@ Distance distance_of_corner(const Scene& scene, const State& state, int t,
     return best;
 }
 
+/// A patch has two sides and a thickness: its triangle is turned to what touches it.
+void face_the_instrument(const Patch& patch, const Quat& q, NearTriangle& near,
+                         Triangle& x_T) noexcept {
+    near.half_thickness_m = patch.thickness_m / 2;
+    const Vec3 face = (near.x[1] - near.x[0]).cross(near.x[2] - near.x[0]);
+    const Vec3 out = near.nearest.pierced ? Vec3(q * Vec3::UnitZ()) : near.nearest.gradient;
+    if (!(out.dot(face) > 0)) return;
+    std::swap(near.vertex[1], near.vertex[2]);
+    std::swap(near.x[1], near.x[2]);
+    std::swap(x_T[1], x_T[2]);
+    std::swap(near.nearest.weight[1], near.nearest.weight[2]);
+}
+
 /// Contacts of candidate `i` with its instrument. False when a list is full.
 bool touch_candidate(const Scene& scene, State& state, const NarrowPhase& narrow, int i) noexcept {
     ContactSet& set = state.scratch->contacts;
-    const SurfaceTriangle& tri = state.surface.triangles()[set.candidates[i] / 4];
+    const SurfaceTriangle& tri = touched_triangle(scene, state, set.candidates[i] / 4);
     const int t = set.candidates[i] % 4;
     ToolState& tool = state.tools[t];
     NearTriangle near;
@@ -59,16 +74,18 @@ bool touch_candidate(const Scene& scene, State& state, const NarrowPhase& narrow
         near.x[k] = to_vec(state.body.x_start[tri.vertex[k]]);
         x_T[k] = narrow.to_tool(t) * near.x[k];
     }
-    if (near.nearest.part < set.shapes[t].bare_parts)
+    const bool on_patch = tri.tet < 0;
+    if (near.nearest.part < set.shapes[t].bare_parts && !on_patch)
         note_spot(scene, state.body, tool, tri, near.x, near.nearest);
     const Quat& q = tool.proxy.q;
     near.nearest.gradient = q * near.nearest.gradient;
+    if (on_patch) face_the_instrument(*scene.patch, q, near, x_T);
     for (int k = 0; k < 3 && !near.nearest.pierced; ++k) {
         near.corner[k] = distance_of_corner(scene, state, t, x_T[k]);
         near.corner[k].gradient = q * near.corner[k].gradient;
     }
     const Material& material = scene.body.spec().materials[static_cast<int>(tri.tissue)];
-    near.friction = static_cast<float>(material.friction);
+    near.friction = static_cast<float>(on_patch ? scene.patch->tool_friction : material.friction);
     near.friction_static_ratio = static_cast<float>(material.friction_static_ratio);
     RigidSide side{t, scene.contact.margin_m, tool.contact_share, tool.gap_m};
     const bool has_room = touch_triangle(set, state.body, side, near);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/contact/contact.h"
+#include "sim/contact/patch_contact.h"
 #include "sim/contact/tool_contact.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
@@ -62,6 +63,26 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
                      to_hand + kStepOfRadius * shape.parts[0].near_radius_m * state.substeps);
         const double limit = scene.contact.margin_m + std::min(way, kFreeStep) + kTissueReach;
         // A ball around box or triangle: the distance changes by no more than the way.
+        const auto reach = [&](const std::array<int32_t, 3>& v, int number,
+                               double within) noexcept {
+            const Vec3 a = position(state.body, v[0]), b = position(state.body, v[1]),
+                       c = position(state.body, v[2]);
+            const Vec3 centre = (a + b + c) / 3;
+            const double radius =
+                std::sqrt(std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(),
+                                    (c - centre).squaredNorm()}));
+            const Vec3 centre_T = to_tool * centre;
+            const double distance = distance_value(shape, centre_T);
+            if (distance > within + radius) return;
+            if (set.candidate_count == static_cast<int>(set.candidates.size())) {
+                state.flags |= kContactsDropped;
+                return;
+            }
+            set.near[t] = 1;
+            const Vec3f p = centre_T.cast<float>();
+            set.start[set.candidate_count] = {p.x(), p.y(), p.z(), static_cast<float>(distance)};
+            set.candidates[set.candidate_count++] = number * 4 + t;
+        };
         state.surface.tree().walk(
             [&](const SurfaceTree::Box& box) noexcept {
                 const Vec3 low(box.low[0], box.low[1], box.low[2]);
@@ -70,27 +91,12 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
                 const Vec3 centre_T = to_tool * (0.5 * (low + high));
                 return distance_value(shape, centre_T) > limit + radius;
             },
-            [&](int i) noexcept {
-                const auto& v = triangles[i].vertex;
-                const Vec3 a = position(state.body, v[0]), b = position(state.body, v[1]),
-                           c = position(state.body, v[2]);
-                const Vec3 centre = (a + b + c) / 3;
-                const double radius =
-                    std::sqrt(std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(),
-                                        (c - centre).squaredNorm()}));
-                const Vec3 centre_T = to_tool * centre;
-                const double distance = distance_value(shape, centre_T);
-                if (distance > limit + radius) return;
-                if (set.candidate_count == static_cast<int>(set.candidates.size())) {
-                    state.flags |= kContactsDropped;
-                    return;
-                }
-                set.near[t] = 1;
-                const Vec3f p = centre_T.cast<float>();
-                set.start[set.candidate_count] = {p.x(), p.y(), p.z(),
-                                                  static_cast<float>(distance)};
-                set.candidates[set.candidate_count++] = i * 4 + t;
-            });
+            [&](int i) noexcept { reach(triangles[i].vertex, i, limit); });
+        if (!scene.patch) continue;
+        const double patch_limit = limit + scene.patch->thickness_m / 2;
+        for (size_t i = 0; i < scene.patch->triangles.size(); ++i)
+            reach(scene.patch->triangles[i].vertex, kPatchCandidate + static_cast<int>(i),
+                  patch_limit);
     }
 }
 

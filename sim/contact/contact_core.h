@@ -39,7 +39,8 @@ struct NearTriangle {
     std::array<int32_t, 3> vertex{};
     Triangle x;
     Tissue tissue = Tissue::kSkin;
-    bool both_sides = false;  ///< A sheet. Of others, faces that look away are not touched.
+    bool both_sides = false;      ///< A sheet. Of others, faces that look away are not touched.
+    double half_thickness_m = 0;  ///< In front of its face.
     float friction = 0, friction_static_ratio = 1;  ///< Coulomb [-].
     TriangleDistance nearest;                       ///< Gradient in W.
     std::array<Distance, 3> corner;  ///< Gradients in W. Not read where it is pierced.

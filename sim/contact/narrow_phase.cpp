@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/contact/patch_contact.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
 
@@ -58,14 +59,15 @@ void NarrowPhase::job(int number) noexcept {
 
 /// part -1 where nothing is near enough to count.
 TriangleDistance NarrowPhase::nearest(int i) const noexcept {
-    const SurfaceTriangle& tri = state_.surface.triangles()[set_.candidates[i] / 4];
+    const SurfaceTriangle& tri = touched_triangle(scene_, state_, set_.candidates[i] / 4);
     const int t = set_.candidates[i] % 4;
     // What the jaws hold does not push them.
     if (state_.held_by[tri.vertex[0]] == t || state_.held_by[tri.vertex[1]] == t ||
         state_.held_by[tri.vertex[2]] == t) {
         return {};
     }
-    const double margin = scene_.contact.margin_m;
+    const double margin =
+        scene_.contact.margin_m + (tri.tet < 0 ? scene_.patch->thickness_m / 2 : 0);
     std::array<FloatLanes, 3> x;
     for (size_t k = 0; k < 3; ++k) x[k] = lanes_of(state_.body.x_start[tri.vertex[k]]);
     if (surely_apart(set_.start[i], roughly_[t], x, static_cast<float>(margin))) return {};

@@ -119,6 +119,7 @@ bool touch_triangle(ContactLists& lists, SoftBodyState& body, RigidSide& side,
                     const NearTriangle& triangle) noexcept {
     const Triangle& x = triangle.x;
     const TriangleDistance& d = triangle.nearest;
+    const double half_m = triangle.half_thickness_m;
     const Vec3 face = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
     const auto looks_away = [&](const Vec3& n) noexcept {
         return !triangle.both_sides && n.dot(face) > kContactFacing;
@@ -130,17 +131,18 @@ bool touch_triangle(ContactLists& lists, SoftBodyState& body, RigidSide& side,
     if (d.pierced) {
         c.n = -face;  // back to the side that the instrument came from
         for (size_t k = 0; k < 3; ++k) c.b[k] = d.weight[static_cast<Eigen::Index>(k)];
-        return add_contact(lists, body, side, triangle, c, d.value_m);
+        return add_contact(lists, body, side, triangle, c, d.value_m - half_m);
     }
     double chord = 0;
     for (size_t k = 0; k < 3; ++k) {
         const Distance& corner = triangle.corner[k];
         chord += d.weight[static_cast<Eigen::Index>(k)] * corner.value_m;
         c.n = corner.gradient;
-        if (corner.value_m > side.margin_m || looks_away(c.n)) continue;
+        const double gap = corner.value_m - half_m;
+        if (gap > side.margin_m || looks_away(c.n)) continue;
         c.b = {};
         c.b[k] = 1;
-        if (!add_contact(lists, body, side, triangle, c, corner.value_m)) return false;
+        if (!add_contact(lists, body, side, triangle, c, gap)) return false;
     }
     const double size =
         std::max({(x[1] - x[0]).norm(), (x[2] - x[0]).norm(), (x[2] - x[1]).norm()});
@@ -149,7 +151,7 @@ bool touch_triangle(ContactLists& lists, SoftBodyState& body, RigidSide& side,
     if (!(share > 1e-3) || looks_away(c.n)) return true;
     c.stiffness_n_m = share;
     for (size_t k = 0; k < 3; ++k) c.b[k] = d.weight[static_cast<Eigen::Index>(k)];
-    return add_contact(lists, body, side, triangle, c, d.value_m);
+    return add_contact(lists, body, side, triangle, c, d.value_m - half_m);
 }
 
 bool add_to_colour(ContactLists& lists, SoftBodyState& body, const Contact& contact) noexcept {

@@ -33,6 +33,7 @@ Vec3 place_T(const Grasp& g, const GraspedVertex& held) noexcept {
 }
 
 bool lives(const Scene& scene, const State& state, int v) noexcept {
+    if (scene.patch && scene.patch->owns(v)) return true;
     const auto around = tets_around(scene.body, state.body, v);
     return std::any_of(around.begin(), around.end(),
                        [&](int32_t t) { return state.body.tet_alive[t] != 0; });
@@ -64,6 +65,7 @@ void describe(const Scene& scene, State& state, int t) noexcept {
     std::array<int, kTissueCount> count{};
     double low = 0, high = -1;
     Vec3 rest = Vec3::Zero();
+    g.tet = -1;
     for (int i = 0; i < g.count; ++i) {
         for (const int32_t tet : tets_around(scene.body, state.body, g.held[i].vertex)) {
             if (!state.body.tet_alive[tet]) continue;
@@ -76,37 +78,57 @@ void describe(const Scene& scene, State& state, int t) noexcept {
         high = i == 0 ? z : std::max(high, z);
     }
     g.tissue = static_cast<Tissue>(std::max_element(count.begin(), count.end()) - count.begin());
+    if (g.tet < 0) g.tissue = scene.patch->triangles.front().tissue;  // only a label
     for (int k = 0; k < 3; ++k) g.rest_m[k] = static_cast<float>(rest[k]);
     const ToolSpec& spec = scene.tools[t];
     const double bite = std::clamp(high - low, kLeastBite, spec.tip_length_m);
     g.area_m2 = static_cast<float>(bite * spec.jaw_width_m);
 }
 
-/// Takes every free vertex of the surface that lies between the jaws.
-void take(const Scene& scene, State& state, int t) noexcept {
-    Grasp& g = state.grasps[t];
-    const ToolSpec& spec = scene.tools[t];
-    const Pose to_tool = state.tools[t].proxy.inverse();
-    const double half = spec.jaw_width_m / 2;
-    // Jaws meet at an angle: the gap shrinks towards the hinge, never below half of the tip's.
-    const double slope = std::tan(std::max(0.0, grip_angle(spec)) / 2);
-    for (const SurfaceTriangle& tri : state.surface.triangles()) {
-        for (const int32_t v : tri.vertex) {
-            if (g.count == kMaxGrasped) return;
-            if (state.held_by[v] >= 0) continue;
-            if (state.body.x[v].w == 0 && !state.pieces.resting[v]) continue;
-            const Vec3 p = to_tool * position(state.body, v);
-            if (p.z() > kReach || p.z() < -spec.tip_length_m || std::abs(p.x()) > half) continue;
-            const double gap =
-                std::max(slope * (spec.tip_length_m + p.z()), 0.25 * spec.jaw_grip_m);
-            if (std::abs(p.y()) > gap) continue;
-            state.held_by[v] = static_cast<int8_t>(t);
-            g.held[g.count++] = {
-                v,
-                {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())}};
+/// Takes every free vertex of the surface, and of a patch, that lies between the jaws.
+class Bite {
+ public:
+    Bite(const Scene& scene, State& state, int t) noexcept
+        : state_(state),
+          grasp_(state.grasps[t]),
+          spec_(scene.tools[t]),
+          to_tool_(state.tools[t].proxy.inverse()),
+          tool_(t) {}
+
+    /// @param reach_m so far beyond the tips.
+    void take(std::span<const SurfaceTriangle> triangles, double reach_m) noexcept {
+        reach_ = reach_m;
+        for (const SurfaceTriangle& tri : triangles) {
+            for (const int32_t v : tri.vertex) {
+                if (grasp_.count == kMaxGrasped) return;
+                take(v);
+            }
         }
     }
-}
+
+ private:
+    void take(int32_t v) noexcept {
+        if (state_.held_by[v] >= 0) return;
+        if (state_.body.x[v].w == 0 && !state_.pieces.resting[v]) return;
+        const Vec3 p = to_tool_ * position(state_.body, v);
+        if (p.z() > reach_ || p.z() < -spec_.tip_length_m || std::abs(p.x()) > half_) return;
+        const double gap = std::max(slope_ * (spec_.tip_length_m + p.z()), 0.25 * spec_.jaw_grip_m);
+        if (std::abs(p.y()) > gap) return;
+        state_.held_by[v] = static_cast<int8_t>(tool_);
+        grasp_.held[grasp_.count++] = {
+            v, {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())}};
+    }
+
+    State& state_;
+    Grasp& grasp_;
+    const ToolSpec& spec_;
+    Pose to_tool_;
+    int tool_;
+    double reach_ = kReach;
+    double half_ = spec_.jaw_width_m / 2;
+    // Jaws meet at an angle: the gap shrinks towards the hinge, never below half of the tip's.
+    double slope_ = std::tan(std::max(0.0, grip_angle(spec_)) / 2);
+};
 
 /// What needle and thread pull at a held vertex.
 Vec3 needle_pull_on(const Scene& scene, State& state, int v) noexcept {
@@ -156,7 +178,10 @@ void begin_grasp(const Scene& scene, State& state, int t) noexcept {
     Grasp& g = state.grasps[t];
     g.meet_rad = state.tools[t].jaw_rad;
     g.jaw_rad = g.meet_rad;
-    take(scene, state, t);
+    Bite bite(scene, state, t);
+    if (scene.patch) bite.take(scene.patch->triangles, kReach);
+    // A patch between the jaws keeps them off the tissue below it, unless they are pressed in.
+    bite.take(state.surface.triangles(), g.count > 0 ? 0 : kReach);
     if (g.count == 0) return;
     for (int i = 0; i < g.count; ++i) state.body.x[g.held[i].vertex].w = 0;
     g.grasped = g.count;
@@ -168,14 +193,10 @@ void begin_grasp(const Scene& scene, State& state, int t) noexcept {
     update_free_vertices(scene.body, state.body);
 }
 
-/// Pressure, traction and slip of a grasp that goes on.
-void watch(const Scene& scene, State& state, int t, double dt) noexcept {
+/// What pressure and pull do to the tissue that is held.
+void watch_tissue(const Scene& scene, State& state, int t, float pull, float seconds) noexcept {
     Grasp& g = state.grasps[t];
     const Material& material = scene.body.spec().materials[static_cast<int>(g.tissue)];
-    const auto seconds = static_cast<float>(dt);
-    g.held_s += seconds;
-    const auto pull = static_cast<float>(g.force_n.norm());
-    g.peak_n = std::max(g.peak_n, pull);
     const double pressure = g.area_m2 > 0 ? g.pinch_n / g.area_m2 : 0;
     if (pressure > material.crush_pa && !g.crushed) {
         g.crushed = 1;
@@ -190,6 +211,17 @@ void watch(const Scene& scene, State& state, int t, double dt) noexcept {
     } else if (g.traction_s > 0) {
         end_traction(state, t);
     }
+}
+
+/// Pressure, traction and slip of a grasp that goes on.
+void watch(const Scene& scene, State& state, int t, double dt) noexcept {
+    Grasp& g = state.grasps[t];
+    const auto seconds = static_cast<float>(dt);
+    g.held_s += seconds;
+    const auto pull = static_cast<float>(g.force_n.norm());
+    g.peak_n = std::max(g.peak_n, pull);
+    // A patch alone is neither crushed nor pulled too much.
+    if (g.tet >= 0) watch_tissue(scene, state, t, pull, seconds);
     if (g.slip_m > 0) {
         g.slip_pause_s += seconds;
         if (g.slip_pause_s > kSlipEnds) end_slip(state, t);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sim/contact/patch_contact.h"
 #include "sim/core/as_index.h"
 #include "sim/solver/sleep_runs.h"
 #include "sim/solver/topology.h"
@@ -135,8 +136,7 @@ void wake_tissue(const Scene& scene, State& state) noexcept {
     if (before == 0) return;
     const ContactSet& contacts = state.scratch->contacts;
     for (int i = 0; i < contacts.candidate_count; ++i) {
-        const auto& triangle =
-            state.surface.triangles()[as_index(contacts.candidates[as_index(i)] / 4)];
+        const auto& triangle = touched_triangle(scene, state, contacts.candidates[as_index(i)] / 4);
         for (const int32_t v : triangle.vertex) wake_vertex(sleep, v);
     }
     for (size_t g = 0; g < state.self_contact.pairs.size(); ++g) {

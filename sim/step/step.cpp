@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "sim/contact/contact.h"
+#include "sim/contact/patch_contact.h"
 #include "sim/contact/self_contact.h"
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/diathermy.h"
@@ -174,6 +175,7 @@ void run_substeps(const Scene& scene, State& state, const std::array<Pose, kMaxT
         begin_substep(scene.body, state.body, h, *state.workers);
         costs.charge(kSolve);
         find_contacts(scene, state);
+        press_patch(scene, state, h);
         begin_suture_substep(scene, state, h);
         costs.charge(kContact);
         for (int i = 0; i < solver.iterations; ++i) {
@@ -187,6 +189,7 @@ void run_substeps(const Scene& scene, State& state, const std::array<Pose, kMaxT
             costs.charge(kContact);
         }
         finish_contacts(state);
+        bear_patch(scene, state, h);
         feel_grasped(scene, state);
         finish_suture_substep(scene, state, h);
         costs.charge(kContact);
@@ -264,6 +267,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     begin_suturing(scene, state);
     collect_candidates(scene, state);
     collect_tissue_pairs(scene, state);
+    collect_patch_faces(scene, state, state.frame);
     update_sac(scene, state, frame_s, false);
     wake_tissue(scene, state);
     costs.charge(kContact);
@@ -297,10 +301,16 @@ void settle(const Scene& scene, State& state, double seconds) noexcept {
     hold_sleepers(state.body);
     for (int64_t n = 0; n < count; ++n) {
         if (n % substeps == 0) update_sac(scene, state, solver.frame_s, true);
+        if (n % substeps == 0 && scene.patch) {
+            state.surface.refit(state.body.x);
+            collect_patch_faces(scene, state, n / substeps);
+        }
         begin_substep(scene.body, state.body, h, *state.workers);
+        press_patch(scene, state, h);
         for (int i = 0; i < solver.iterations; ++i) {
             sweep(scene.body, state.body, h, *state.workers);
         }
+        bear_patch(scene, state, h);
         end_substep(scene.body, state.body, h, *state.workers);
         for (Float4& v : state.body.v) {
             v.x *= kSettleDamping;

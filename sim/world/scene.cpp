@@ -4,11 +4,13 @@
 
 namespace placode::sim {
 
-Scene::Scene(SoftBody tissue) : body(std::move(tissue)), surface(body.mesh()) {
-    if (!body.spec().sheet.empty()) {
-        throw MeshError("sheet: " + std::to_string(body.spec().sheet.size()) +
-                        " triangles in an operative scene; instruments, heat and cutting know "
-                        "tetrahedra only (verification scenes take sheets)");
+Scene::Scene(SoftBody tissue, std::optional<Patch> sheet)
+    : body(std::move(tissue)), surface(body.mesh()), patch(std::move(sheet)) {
+    const size_t triangles = body.spec().sheet.size();
+    if (triangles != (patch ? patch->triangles.size() : 0)) {
+        throw MeshError("sheet: " + std::to_string(triangles) +
+                        " triangles in an operative scene that are no patch; instruments, heat and "
+                        "cutting know tetrahedra only (verification scenes take sheets)");
     }
 }
 

@@ -15,6 +15,7 @@
 #include "sim/mesh/surface.h"
 #include "sim/solver/soft_body.h"
 #include "sim/suture/suture.h"
+#include "sim/world/patch.h"
 #include "sim/world/sac_state.h"
 #include "sim/world/slit.h"
 
@@ -78,8 +79,10 @@ struct NeedleStart {
 
 /// Built once (sim/anatomy), then shared as `shared_ptr<const Scene>`.
 struct Scene {
-    /// @throws MeshError for a body with a sheet: instruments, heat and cutting do not know it.
-    explicit Scene(SoftBody tissue);
+    /// @param sheet is what the body's sheet must be, if it has one.
+    /// @throws MeshError for a sheet that is no patch: instruments, heat and cutting do not know
+    /// it.
+    explicit Scene(SoftBody tissue, std::optional<Patch> sheet = std::nullopt);
 
     std::string id;  ///< Scene file and preset, for messages.
     SoftBody body;
@@ -87,8 +90,9 @@ struct Scene {
     std::optional<HeatModel> heat;  ///< Absent = costs nothing.
     std::optional<Suture> suture;   ///< Needle and thread; absent = costs nothing.
     NeedleStart needle_start;
-    Sac sac;    ///< Of the cystic variant; absent otherwise.
-    Slit slit;  ///< To be sewn up; absent in most scenes.
+    Sac sac;                     ///< Of the cystic variant; absent otherwise.
+    Slit slit;                   ///< To be sewn up; absent in most scenes.
+    std::optional<Patch> patch;  ///< To cover the lesion with; absent = costs nothing.
     ContactSettings contact;
     /// How far a vertex may slide to where blades pass, as a share of the way to its neighbours; 0
     /// = cuts follow the faces of the mesh, as in recordings of before.

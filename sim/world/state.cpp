@@ -66,6 +66,7 @@ State::State(const Scene& scene, int threads)
       gone_by_heat(scene.body.tet_count(), 0),
       friction(scene.body.vertex_capacity()),
       stretch_count(scene.body.tet_count(), 0),
+      patch(scene),
       workers(std::make_unique<Workers>(threads)),
       scratch(std::make_unique<Scratch>(scene, &progress)) {
     sleep.follow_leaves(surface.tree(), scene.body.mesh());

@@ -17,6 +17,7 @@
 #include "sim/world/cut_state.h"
 #include "sim/world/grasp_state.h"
 #include "sim/world/ledger_state.h"
+#include "sim/world/patch_state.h"
 #include "sim/world/pieces_state.h"
 #include "sim/world/sac_state.h"
 #include "sim/world/scissors_state.h"
@@ -67,6 +68,7 @@ struct State {
     std::vector<FrictionAnchor> friction;  ///< (V)
     std::vector<uint8_t> stretch_count;    ///< (T) Checks in a row above the tear limit.
     uint32_t loose_version = 0;            ///< Surface version at the last search for loose tissue.
+    PatchState patch;
     std::array<Event, kMaxEventsPerFrame> events{};  ///< Of the last frame.
     int event_count = 0;
     uint32_t flags = 0;  ///< StepFlag bits of this frame.
@@ -82,12 +84,13 @@ void fields(Of<State> auto& s, Visit&& visit) {
     auto& [frame, time_s, substeps, phase, body, sleep, surface, self_contact, sac, heat, tools,
            tool_side, grasps, scissors, suturing, release, resection, pieces, splits, slides,
            slides_refused, held_by, progress, removed_m3, vapour_rate_m3_s, colour, separation,
-           flood, ledger, gone_by_heat, friction, stretch_count, loose_version, events, event_count,
-           flags, workers, scratch] = s;
+           flood, ledger, gone_by_heat, friction, stretch_count, loose_version, patch, events,
+           event_count, flags, workers, scratch] = s;
     visit.state(frame, time_s, substeps, phase, body, sleep, surface, self_contact, sac, heat,
                 tools, tool_side, grasps, scissors, suturing, release, resection, pieces, splits,
                 slides, slides_refused, held_by, progress, removed_m3, vapour_rate_m3_s, colour,
-                separation, flood, ledger, gone_by_heat, friction, stretch_count, loose_version);
+                separation, flood, ledger, gone_by_heat, friction, stretch_count, loose_version,
+                patch);
     // Of one frame; threads; lists of one frame.
     visit.constant(events, event_count, flags, workers, scratch);
 }

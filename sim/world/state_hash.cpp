@@ -114,6 +114,16 @@ uint64_t state_hash(const State& state) noexcept {
             for (const int32_t part : {pair.vertex, pair.tet, pair.face}) hash.add(part);
         }
     }
+    for (const PatchTouch& t : state.patch.touch) {
+        for (const int32_t part : {t.tet, t.face, t.presses, t.anchor.tet, t.anchor.face})
+            hash.add(part);
+        for (const float w : t.anchor.weight) hash.add(w);
+    }
+    for (int32_t i = 0; i < state.patch.loaded_count; ++i) {
+        const auto v = static_cast<size_t>(state.patch.loaded[static_cast<size_t>(i)]);
+        hash.add(static_cast<int32_t>(v));
+        for (const float n : state.patch.load_n[v]) hash.add(n);
+    }
     hash.add(state.release.free_count);
     hash.add(state.release.next);
     hash.add(state.pieces.out);

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sim/contact/patch_contact.h"
+
+#include <algorithm>
+
+#include "sim/contact/patch_vertex.h"
+#include "sim/contact/surface_face.h"
+#include "sim/core/as_index.h"
+#include "sim/core/tool_shape.h"
+#include "sim/mesh/box_distance.h"
+
+namespace placode::sim {
+namespace {
+
+constexpr int kPatchGroups = 4;       // one is looked up anew in every frame
+constexpr double kPatchReach = 8e-4;  // at 0.1 m/s it moves 0.4 mm until it is looked up again [m]
+constexpr double kPatchStale = 1e-4;  // boxes may be those of the frame before [m]
+constexpr double kTellN = 1e-6;       // a change of load that wakes tissue [N]
+constexpr int kPatchJob = 32;         // vertices; a multiple of the groups
+
+/// The nearest face of the tissue within reach; tet -1 when there is none.
+class FaceBelow {
+ public:
+    FaceBelow(const Scene& scene, const State& state, int32_t v) noexcept
+        : scene_(scene), state_(state), at_(position(state.body, v)) {}
+
+    void find(PatchTouch& out) noexcept {
+        const SurfaceTriangle* found = nullptr;
+        state_.surface.tree().walk(
+            [&](const SurfaceTree::Box& box) noexcept {
+                return squared_distance(box, at_, kPatchStale) >= best2_;
+            },
+            [&](int slot) noexcept {
+                const SurfaceTriangle& face = state_.surface.triangles()[as_index(slot)];
+                if (is_nearer(face)) found = &face;
+            });
+        out.tet = found == nullptr ? -1 : found->tet;
+        out.face = found == nullptr
+                       ? 0
+                       : local_face(corners(scene_.body, state_.body, found->tet), found->vertex);
+    }
+
+ private:
+    [[nodiscard]] bool is_nearer(const SurfaceTriangle& face) noexcept {
+        Triangle x;
+        for (size_t k = 0; k < 3; ++k) x[k] = position(state_.body, face.vertex[k]);
+        const Vec3 low = x[0].cwiseMin(x[1]).cwiseMin(x[2]),
+                   high = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
+        if ((low - at_).cwiseMax(at_ - high).cwiseMax(0.0).squaredNorm() >= best2_) return false;
+        const Vec3 w = closest_on_triangle(at_, x);
+        const double d2 = (at_ - w.x() * x[0] - w.y() * x[1] - w.z() * x[2]).squaredNorm();
+        if (d2 >= best2_) return false;
+        best2_ = d2;
+        return true;
+    }
+
+    const Scene& scene_;
+    const State& state_;
+    Vec3 at_;
+    double best2_ = kPatchReach * kPatchReach;
+};
+
+/// All vertices of a patch. No two of them write the same, in whatever order they come.
+class PatchTeam {
+ public:
+    PatchTeam(const Scene& scene, State& state, double h, int32_t group = 0) noexcept
+        : scene_(scene), state_(state), h_(h), group_(group) {}
+
+    [[nodiscard]] int jobs() const noexcept {
+        return (scene_.patch->vertex_count + kPatchJob - 1) / kPatchJob;
+    }
+    void look(int job) noexcept {
+        for (int32_t i = kPatchJob * job + group_; i < end_of(job); i += kPatchGroups)
+            FaceBelow(scene_, state_, scene_.patch->first_vertex + i)
+                .find(state_.patch.touch[as_index(i)]);
+    }
+    void press(int job) noexcept {
+        for (int32_t i = kPatchJob * job; i < end_of(job); ++i)
+            PatchVertex(scene_, state_, i, h_).press();
+    }
+    void bear(int job) noexcept {
+        for (int32_t i = kPatchJob * job; i < end_of(job); ++i) {
+            PatchLoad& load = loads_[as_index(i)];
+            load.face[0] = -1;
+            if (state_.patch.touch[as_index(i)].presses != 0)
+                PatchVertex(scene_, state_, i, h_).bear(load);
+        }
+    }
+    [[nodiscard]] const PatchLoad& load(int32_t number) const noexcept {
+        return loads_[as_index(number)];
+    }
+
+ private:
+    [[nodiscard]] int32_t end_of(int job) const noexcept {
+        return std::min(scene_.patch->vertex_count, kPatchJob * (job + 1));
+    }
+    const Scene& scene_;
+    State& state_;
+    double h_;
+    int32_t group_;
+    std::array<PatchLoad, kMostPatchVertices> loads_;  // only what bear() has set
+};
+
+/// Adds a share of a force to what a vertex of the tissue bears.
+void add_patch_load(const Patch& patch, PatchState& state, int32_t v, const Vec3& force) noexcept {
+    if (patch.bears[as_index(v)] == 0) return;
+    auto& load = state.load_n[as_index(v)];
+    if (state.listed[as_index(v)] == 0) {
+        state.listed[as_index(v)] = 1;
+        state.loaded[as_index(state.loaded_count++)] = v;
+    }
+    for (int k = 0; k < 3; ++k) load[as_index(k)] += static_cast<float>(force[k]);
+}
+
+/// Gives the tissue its loads, wakes it where they have changed, forgets those that are gone.
+void give_loads(const Scene& scene, State& state) noexcept {
+    PatchState& patch = state.patch;
+    int32_t kept = 0;
+    for (int32_t i = 0; i < patch.loaded_count; ++i) {
+        const int32_t v = patch.loaded[as_index(i)];
+        const auto& load = patch.load_n[as_index(v)];
+        auto& told = patch.told_n[as_index(v)];
+        const Vec3f f(load[0], load[1], load[2]);
+        set_load(scene.body, state.body, v, f, Vec3f::Zero(), Vec3f::Zero());
+        if ((f - Vec3f(told[0], told[1], told[2])).norm() > static_cast<float>(kTellN)) {
+            told = load;
+            rouse(state.body, v);
+        }
+        if (load == std::array<float, 3>{}) {
+            told = {};
+            patch.listed[as_index(v)] = 0;
+        } else {
+            patch.loaded[as_index(kept++)] = v;
+        }
+    }
+    patch.loaded_count = kept;
+}
+
+/// What touches is held, as if by anchor springs: its weight is then a force like that of its ties,
+/// and no part of the start guess. One sweep answers the ties of a stiff sheet only in part; a
+/// weight that was there in full would press it in until they bore many times as much.
+void hold_by_touch(const Patch& patch, State& state) noexcept {
+    bool held = false;
+    for (int32_t i = 0; i < patch.vertex_count && !held; ++i) {
+        held = state.patch.touch[as_index(i)].presses != 0 ||
+               state.body.x[as_index(patch.first_vertex + i)].w == 0;
+    }
+    const auto first = state.body.free_vertex.begin() + patch.first_vertex;
+    std::fill_n(first, patch.vertex_count, static_cast<uint8_t>(held ? 0 : 1));
+}
+
+}  // namespace
+
+PatchState::PatchState(const Scene& scene) {
+    if (!scene.patch) return;
+    touch.resize(as_index(scene.patch->vertex_count));
+    const auto bearing = std::count(scene.patch->bears.begin(), scene.patch->bears.end(), 1);
+    loaded.assign(static_cast<size_t>(bearing), -1);
+    load_n.resize(as_index(scene.body.vertex_count()));
+    told_n.resize(load_n.size());
+    listed.resize(load_n.size());
+}
+
+const SurfaceTriangle& touched_triangle(const Scene& scene, const State& state,
+                                        int32_t number) noexcept {
+    if (number >= kPatchCandidate)
+        return scene.patch->triangles[as_index(number - kPatchCandidate)];
+    return state.surface.triangles()[as_index(number)];
+}
+
+void collect_patch_faces(const Scene& scene, State& state, int64_t frame) noexcept {
+    if (!scene.patch) return;
+    PatchTeam team(scene, state, 0, static_cast<int32_t>(frame % kPatchGroups));
+    state.workers->run<&PatchTeam::look>(team.jobs(), team);
+}
+
+void press_patch(const Scene& scene, State& state, double h) noexcept {
+    if (!scene.patch) return;
+    PatchTeam team(scene, state, h);
+    state.workers->run<&PatchTeam::press>(team.jobs(), team);
+    hold_by_touch(*scene.patch, state);
+}
+
+void bear_patch(const Scene& scene, State& state, double h) noexcept {
+    if (!scene.patch) return;
+    PatchState& patch = state.patch;
+    for (int32_t i = 0; i < patch.loaded_count; ++i)
+        patch.load_n[as_index(patch.loaded[as_index(i)])] = {};
+    PatchTeam team(scene, state, h);
+    state.workers->run<&PatchTeam::bear>(team.jobs(), team);
+    for (int32_t i = 0; i < scene.patch->vertex_count; ++i) {
+        const PatchLoad& load = team.load(i);
+        for (size_t k = 0; k < 3 && load.face[0] >= 0; ++k)
+            add_patch_load(*scene.patch, patch, load.face[k], load.force_n[k]);
+    }
+    give_loads(scene, state);
+}
+
+}  // namespace placode::sim
