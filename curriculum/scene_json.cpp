@@ -148,6 +148,24 @@ void visit_watertight(const V& v, W& w) {
     v("burst_m3_s", w.burst_m3_s);
 }
 
+template <class V, class P>
+void visit_patch(const V& v, P& p) {
+    v("length_m", p.length_m);
+    v("width_m", p.width_m);
+    v("edge_m", p.edge_m);
+    v("thickness_m", p.thickness_m);
+    v("youngs_modulus_pa", p.material.youngs_modulus_pa);
+    v("poissons_ratio", p.material.poissons_ratio);
+    v("density_kg_m3", p.material.density_kg_m3);
+    v("damping_per_s", p.material.damping_per_s);
+    v("bending", p.bending);
+    v("friction", p.friction);
+    v("tool_friction", p.tool_friction);
+    v("centre_m", p.centre_m);
+    v("yaw_deg", p.yaw_deg);
+    v("height_m", p.height_m);
+}
+
 template <class V, class N>
 void visit_needle(const V& v, N& n) {
     v("arc_m", n.arc_m);
@@ -363,6 +381,7 @@ OperativeFieldSpec scene_from_json(const Json& scene, const std::string& origin,
         if (scene.contains("sac")) visit_sac(Reader{scene["sac"]}, spec.sac);
         if (scene.contains("suture")) spec.suture = suture_from_json(scene["suture"]);
         if (scene.contains("slit")) spec.slit = slit_from_json(scene["slit"]);
+        if (scene.contains("patch")) visit_patch(Reader{scene["patch"]}, spec.patch.emplace());
         if (scene.contains("contact")) visit_contact(Reader{scene["contact"]}, spec.contact);
         spec.heat = scene.contains("heat") && scene["heat"].value("enabled", true);
         if (spec.heat) visit_heat(Reader{scene["heat"]}, spec.heat_settings);
@@ -387,6 +406,10 @@ Json scene_to_json(const OperativeFieldSpec& spec) {
     visit_contact(Writer{scene["contact"]}, spec.contact);
     if (spec.suture) scene["suture"] = suture_to_json(*spec.suture);
     if (spec.slit) scene["slit"] = slit_to_json(*spec.slit);
+    if (spec.patch) {
+        scene["patch"] = Json::object();
+        visit_patch(Writer{scene["patch"]}, *spec.patch);
+    }
     scene["heat"]["enabled"] = spec.heat;
     visit_heat(Writer{scene["heat"]}, spec.heat_settings);
     scene["tools"] = Json::array();
