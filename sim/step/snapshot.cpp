@@ -66,6 +66,9 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
         out.triangles.assign(triangles.begin(), triangles.end());
         out.surface_version = state.surface.version();
     }
+    if (scene.patch && out.patch.empty()) {
+        for (const SurfaceTriangle& t : scene.patch->triangles) out.patch.push_back(t.vertex);
+    }
     out.tool_count = static_cast<int>(std::min(scene.tools.size(), out.tools.size()));
     for (int t = 0; t < out.tool_count; ++t) {
         out.tools[t] = tool_snapshot(scene.tools[t], state.tools[t]);

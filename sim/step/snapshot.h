@@ -43,6 +43,7 @@ struct Snapshot {
         damage;  ///< (V) blanch (Omega clamped 0..1), dried 0..1, charred 0..1, temperature [C]
     std::vector<SurfaceTriangle> triangles;  ///< Current surface.
     uint32_t surface_version = 0;
+    std::vector<std::array<int32_t, 3>> patch;  ///< Triangles of a patch; empty = there is none.
     /// (V) At rest [m]; empty while every vertex is where the mesh has it. Cuts slide some.
     std::vector<std::array<float, 3>> rest;
     int32_t slides = 0;  ///< Changes with `rest`.

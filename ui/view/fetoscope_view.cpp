@@ -12,6 +12,7 @@
 #include "ui/view/mark_renderer.h"
 #include "ui/view/needle_renderer.h"
 #include "ui/view/overlay_colours.h"
+#include "ui/view/patch_renderer.h"
 #include "ui/view/png.h"
 #include "ui/view/scope_light.h"
 #include "ui/view/smoke_renderer.h"
@@ -47,6 +48,7 @@ struct FetoscopeView::Impl {
     GlProgram tool{"tissue_vertex", "tool"}, mask{"screen_vertex", "mask"};
     ToolRenderer instruments;
     NeedleRenderer needle;
+    PatchRenderer patch;
     SmokeRenderer puffs;
     MarkRenderer marks;
     DepthCue depth_cue;
@@ -99,6 +101,7 @@ FetoscopeView::Impl::Impl(const ViewField& of, const ViewSettings& s)
       tools(of.tools),
       field(of),
       instruments(of.tools),
+      patch(of.rest),
       quality(s.quality) {
     times.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     // A software renderer starts low instead of stuttering through its first second.
@@ -150,6 +153,10 @@ void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayStat
     GlProgram& tissue = field.tissue_program(quality);
     light(tissue, snapshot);
     field.draw_tissue(tissue, quality);
+    if (!snapshot.patch.empty()) {
+        tool.use();
+        patch.draw(snapshot, tool);
+    }
     draw_depth(snapshot, overlay);
 
     light(field.wall_program(), snapshot);

@@ -11,7 +11,7 @@
 
 namespace placode::view {
 
-enum class ToolMaterial { kSteel = 0, kInsulation = 1, kCeramic = 2, kThread = 3 };
+enum class ToolMaterial { kSteel = 0, kInsulation = 1, kCeramic = 2, kThread = 3, kPatch = 4 };
 
 /// Triangles of one instrument in T [mm]; `jaw`: -1 and +1 turn about the hinge, 0 is fixed.
 struct ToolModel {

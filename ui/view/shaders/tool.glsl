@@ -1,5 +1,5 @@
 // Instruments: brushed steel, black insulation, pale ceramic, and a tip that glows faintly; suture
-// thread.
+// thread; a patch.
 in vec3 v_position;
 in vec3 v_normal;
 in vec4 v_rest;    // material, along the shaft [mm], unused
@@ -44,6 +44,15 @@ void main() {
         // Laser-marked depth rings, every 10 mm.
         float ring = smoothstep(0.30, 0.15, abs(mod(v_rest.y, 10.0) - 9.0));
         result += ring * vec3(0.13, 0.13, 0.12) * nl * reach;
+    } else if (v_rest.x > 3.5) {  // patch: pale felt of collagen, wet, drawn over what lies below
+        float felt = texture(noise_map, v_rest.yz * 0.09).g;
+        vec3 base = vec3(0.62, 0.57, 0.50) * (0.86 + 0.28 * felt);
+        result = base * (0.18 + 0.62 * nl) * reach;
+        result += highlight(n, v, l, 0.16 + 0.10 * felt, 0.045) * reach;
+        // Seen along its plane one looks through more of it.
+        float through = pow(1.0 - saturate(dot(n, v)), 2.0);
+        colour = vec4(result, mix(0.66, 0.96, through));
+        return;
     } else if (v_rest.x > 2.5) {  // suture thread: dyed monofilament, wet
         vec3 base = vec3(0.035, 0.030, 0.150);
         result = base * (0.20 + 0.80 * nl) * reach + highlight(n, v, l, 0.12, 0.05) * reach;
