@@ -148,6 +148,12 @@ TEST(Patch, NoPatchNoSheetAndNothingInTheState) {
     EXPECT_TRUE(state.patch.load_n.empty());
 }
 
+TEST(Patch, AnySheetThatIsNoPatchIsRefused) {
+    const auto scene = build_operative_field(pad());
+    EXPECT_THROW(Scene(SoftBody(scene->body.spec())), MeshError);
+    EXPECT_NO_THROW(Scene(SoftBody(scene->body.spec()), scene->patch));
+}
+
 TEST(Patch, WeighsWhatItsVolumeDoes) {
     const Lying run(pad());
     double mass = 0, area = 0;
