@@ -85,8 +85,9 @@ MetricSet in_order(const std::vector<Metric>& found) {
 
 MetricSet compute_metrics(const sim::Recording& recording) {
     std::vector<Metric> found;
-    add_motion_metrics(recording, found);
-    add_motion_details(recording, found);
+    ToolTracks tool_tracks(recording);
+    add_motion_metrics(tool_tracks, found);
+    add_motion_details(tool_tracks, found);
     add_what_needs_no_track(recording, found);
     return in_order(found);
 }

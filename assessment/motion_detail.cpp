@@ -23,15 +23,16 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 struct Held {
     size_t tool = 0;
     sim::Hand hand = sim::Hand::kRight;
-    Track track;
+    const Track& track;
 };
 
-std::vector<Held> held_tools(const sim::Recording& recording) {
+std::vector<Held> held_tools(ToolTracks& tool_tracks) {
+    const sim::Recording& recording = tool_tracks.recording();
     std::vector<Held> held;
     for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i) {
         if (recording.header.tools[i].kind == sim::ToolKind::kScope) continue;
-        Track track = tool_track(recording, i);
-        if (!track.empty()) held.push_back({i, recording.header.tools[i].hand, std::move(track)});
+        const Track& track = tool_tracks.of(i);
+        if (!track.empty()) held.push_back({i, recording.header.tools[i].hand, track});
     }
     return held;
 }
@@ -272,9 +273,10 @@ Vec3 extent(std::span<const Vec3> positions) noexcept {
     return high - low;
 }
 
-void add_motion_details(const sim::Recording& recording, std::vector<Metric>& out) {
+void add_motion_details(ToolTracks& tool_tracks, std::vector<Metric>& out) {
+    const sim::Recording& recording = tool_tracks.recording();
     if (recording.samples.empty()) return;
-    const std::vector<Held> held = held_tools(recording);
+    const std::vector<Held> held = held_tools(tool_tracks);
     if (held.empty()) return;
     add_rotation(held, out);
     add_economy(held, out);

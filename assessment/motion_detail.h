@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "assessment/metrics.h"
+#include "assessment/motion_metrics.h"
 #include "assessment/signal.h"
 
 namespace placode::assessment {
@@ -43,6 +44,6 @@ inline constexpr double kActionMmS = 50, kActionDegS = 50;  ///< PerkTutor's thr
 [[nodiscard]] Vec3 extent(std::span<const Vec3> positions) noexcept;
 
 /// Appends what the recording allows. Never throws on odd data.
-void add_motion_details(const sim::Recording& recording, std::vector<Metric>& out);
+void add_motion_details(ToolTracks& tool_tracks, std::vector<Metric>& out);
 
 }  // namespace placode::assessment

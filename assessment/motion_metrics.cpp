@@ -68,23 +68,23 @@ void add_smoothness(const Track& track, Smoothness& out) {
 }
 
 /// All instruments below the idle speed and no pedal down [s].
-double idle_seconds(const sim::Recording& recording, const std::vector<Track>& tracks,
+double idle_seconds(const sim::Recording& recording, const std::vector<const Track*>& tracks,
                     const std::vector<size_t>& tools) {
     size_t n = SIZE_MAX;
-    for (const Track& track : tracks) n = std::min(n, track.speed_m_s.size());
+    for (const Track* track : tracks) n = std::min(n, track->speed_m_s.size());
     if (n == SIZE_MAX || n < 2) return 0;
     double idle = 0;
     size_t sample = 0;
     for (size_t k = 0; k + 1 < n; ++k) {
-        const double t = tracks.front().time_s(k);
+        const double t = tracks.front()->time_s(k);
         while (sample + 1 < recording.samples.size() && recording.samples[sample].time_s < t)
             ++sample;
         bool still = true;
         for (size_t i = 0; i < tools.size(); ++i) {
-            still = still && tracks[i].speed_m_s[k] < kIdleMmS * 1e-3 &&
+            still = still && tracks[i]->speed_m_s[k] < kIdleMmS * 1e-3 &&
                     recording.samples[sample].tools[tools[i]].pedals == 0;
         }
-        if (still) idle += tracks.front().dt_s;
+        if (still) idle += tracks.front()->dt_s;
     }
     return idle;
 }
@@ -168,6 +168,12 @@ Track tool_track(const sim::Recording& recording, size_t tool) {
     return make_track(time, position, orientation);
 }
 
+const Track& ToolTracks::of(size_t tool) {
+    std::optional<Track>& track = tracks_.at(tool);
+    if (!track) track = tool_track(recording_, tool);
+    return *track;
+}
+
 double task_start_s(const sim::Recording& recording) {
     return first_in_view_s(recording, instruments(recording));
 }
@@ -180,26 +186,27 @@ void add_time_metrics(const sim::Recording& recording, std::vector<Metric>& out)
         out.push_back({"out_of_view_s", out_of_view_s(recording, tools)});
 }
 
-void add_motion_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
+void add_motion_metrics(ToolTracks& tool_tracks, std::vector<Metric>& out) {
+    const sim::Recording& recording = tool_tracks.recording();
     if (recording.samples.empty()) return;
     const std::vector<size_t> tools = instruments(recording);
     const double time_s = task_time_s(recording, tools);
     out.push_back({"task_time_s", time_s});
 
-    std::vector<Track> tracks;
-    for (const size_t tool : tools) tracks.push_back(tool_track(recording, tool));
-    std::erase_if(tracks, [](const Track& track) { return track.empty(); });
+    std::vector<const Track*> tracks;
+    for (const size_t tool : tools)
+        if (const Track& track = tool_tracks.of(tool); !track.empty()) tracks.push_back(&track);
     if (tracks.empty() || tracks.size() != tools.size()) return;
 
     double path_m = 0, depth_m = 0, turn_rad = 0;
     int movements = 0;
     Smoothness smoothness;
-    for (const Track& track : tracks) {
-        path_m += path_length(track.position_m);
-        depth_m += depth_path(track.position_m, track.orientation);
-        turn_rad += angular_path(track.orientation);
-        movements += movement_count(track.speed_m_s, kMovementMmS * 1e-3);
-        add_smoothness(track, smoothness);
+    for (const Track* track : tracks) {
+        path_m += path_length(track->position_m);
+        depth_m += depth_path(track->position_m, track->orientation);
+        turn_rad += angular_path(track->orientation);
+        movements += movement_count(track->speed_m_s, kMovementMmS * 1e-3);
+        add_smoothness(*track, smoothness);
     }
     out.push_back({"path_length_mm", path_m * 1e3});
     out.push_back({"depth_path_mm", depth_m * 1e3});

@@ -4,6 +4,7 @@
 // Motion metrics as pure functions of single signals, and of a recording.
 // Units cancel or follow the input: a speed in mm/s gives the same SPARC as one in m/s.
 
+#include <array>
 #include <optional>
 #include <span>
 #include <utility>
@@ -46,12 +47,27 @@ inline constexpr double kSegmentMmS = 5, kSegmentShortestS = 0.3;
 /// Filtered 100 Hz track of one tool of a recording.
 [[nodiscard]] Track tool_track(const sim::Recording& recording, size_t tool);
 
+/// Tracks of a recording's tools, each made when somebody first asks for it: filtering them is most
+/// of what metrics of motion take. One thread.
+class ToolTracks {
+ public:
+    /// `recording` must outlive it.
+    explicit ToolTracks(const sim::Recording& recording) : recording_(recording) {}
+    [[nodiscard]] const sim::Recording& recording() const noexcept { return recording_; }
+    /// Empty where the tool was not recorded. @pre tool < sim::kMaxTools.
+    [[nodiscard]] const Track& of(size_t tool);
+
+ private:
+    const sim::Recording& recording_;
+    std::array<std::optional<Track>, sim::kMaxTools> tracks_;
+};
+
 /// When the first instrument came into view: time is counted from here [s].
 [[nodiscard]] double task_start_s(const sim::Recording& recording);
 
 /// Of these metrics those that need no filtered track: task_time_s, out_of_view_s.
 void add_time_metrics(const sim::Recording& recording, std::vector<Metric>& out);
 /// Appends what the recording allows. Never throws on odd data.
-void add_motion_metrics(const sim::Recording& recording, std::vector<Metric>& out);
+void add_motion_metrics(ToolTracks& tool_tracks, std::vector<Metric>& out);
 
 }  // namespace placode::assessment

@@ -101,7 +101,8 @@ TEST(MotionMetrics, ARecordingOfOneStraightMovement) {
     }
     recording.end.duration_s = 3;
     std::vector<Metric> metrics;
-    add_motion_metrics(recording, metrics);
+    ToolTracks tracks(recording);
+    add_motion_metrics(tracks, metrics);
     const auto value = [&](const char* id) {
         for (const Metric& metric : metrics) {
             if (metric.id == id) return metric.value;
@@ -135,13 +136,31 @@ TEST(MotionMetrics, ConstantSpeedHasNoJerkToMeasure) {
 TEST(MotionMetrics, OddRecordingsDoNotThrow) {
     std::vector<Metric> metrics;
     sim::Recording recording;
-    add_motion_metrics(recording, metrics);
+    ToolTracks nothing(recording);
+    add_motion_metrics(nothing, metrics);
     EXPECT_TRUE(metrics.empty());
     recording.header.tools.resize(1);
     recording.samples.resize(3);
     recording.samples[1].tools[0].tip_m = {NAN, NAN, NAN};
-    add_motion_metrics(recording, metrics);
+    ToolTracks odd(recording);
+    add_motion_metrics(odd, metrics);
     EXPECT_FALSE(metrics.empty());
+}
+
+TEST(MotionMetrics, ATrackIsMadeOnceForWhoeverAsks) {
+    sim::Recording recording;
+    recording.header.tools.resize(2);
+    for (int k = 0; k < 50; ++k) {
+        sim::Sample sample;
+        sample.time_s = 0.01 * k;
+        sample.tools[1].tip_m[0] = 1e-4F * static_cast<float>(k);
+        recording.samples.push_back(sample);
+    }
+    ToolTracks tracks(recording);
+    const Track& second = tracks.of(1);
+    EXPECT_EQ(second.position_m, tool_track(recording, 1).position_m);
+    EXPECT_NE(second.position_m, tracks.of(0).position_m);
+    EXPECT_EQ(&second, &tracks.of(1));
 }
 
 }  // namespace THIS_TEST
