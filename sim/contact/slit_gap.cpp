@@ -26,6 +26,10 @@ Vec3 rest_of(const Scene& scene, int32_t v) noexcept {
     return scene.body.mesh().rest[static_cast<size_t>(v)];
 }
 
+[[maybe_unused]] bool is_station(const Scene& scene, int station) noexcept {
+    return 0 <= station && station < static_cast<int>(scene.slit.stations.size());
+}
+
 /// From a point to the nearest place of a wall around a station.
 class WayToWall {
  public:
@@ -70,8 +74,8 @@ class WayToWall {
 }  // namespace
 
 double slit_gap(const Scene& scene, const State& state, int station, int level) noexcept {
-    assert(0 <= station && station < static_cast<int>(scene.slit.stations.size()));
-    assert(0 <= level && level < scene.slit.layers);
+    assert(is_station(scene, station) && "the slit has no such station");
+    assert(0 <= level && level < scene.slit.layers && "a level is from 0 to below the floor");
     const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
     const auto k = static_cast<size_t>(level);
     const Vec3 across = rest_of(scene, s.right[k]) - rest_of(scene, s.left[k]);
@@ -85,11 +89,14 @@ double slit_gap(const Scene& scene, const State& state, int station, int level) 
 }
 
 Vec3 middle_at_rest(const Scene& scene, int station) noexcept {
+    assert(is_station(scene, station) && "the slit has no such station");
     const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
     return 0.5 * (rest_of(scene, s.left[0]) + rest_of(scene, s.right[0]));
 }
 
 double depth_at_rest(const Scene& scene, int station, int level) noexcept {
+    assert(is_station(scene, station) && "the slit has no such station");
+    assert(0 <= level && level <= scene.slit.layers && "a level is from 0 to the floor");
     const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
     return (rest_of(scene, s.left[0]) - rest_of(scene, s.left[static_cast<size_t>(level)])).norm();
 }
@@ -102,6 +109,8 @@ bool is_whole(const Scene& scene, const State& state, int32_t v) noexcept {
 }
 
 double open_gap(const Scene& scene, const State& state, int station, int level) noexcept {
+    assert(is_station(scene, station) && "the slit has no such station");
+    assert(0 <= level && level < scene.slit.layers && "a level is from 0 to below the floor");
     const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
     const int32_t left = s.left[static_cast<size_t>(level)],
                   right = s.right[static_cast<size_t>(level)];
@@ -111,6 +120,7 @@ double open_gap(const Scene& scene, const State& state, int station, int level) 
 }
 
 double narrowest_gap(const Scene& scene, const State& state, int station) noexcept {
+    assert(is_station(scene, station) && "the slit has no such station");
     double least = std::numeric_limits<double>::max();
     for (int level = 0; level < scene.slit.layers; ++level)
         least = std::min(least, slit_gap(scene, state, station, level));

@@ -19,19 +19,22 @@ struct State;
                               int level) noexcept;
 
 /// The least over the depth: nothing passes a slit that is shut at any depth.
+/// @pre 0 <= station < stations.
 [[nodiscard]] double narrowest_gap(const Scene& scene, const State& state, int station) noexcept;
 
 /// As slit_gap(), but where tissue of a wall is gone as open as it was at rest, wherever the rags
 /// lie: tissue that is torn out lets the edges come together, and must not count as closing them.
+/// @pre 0 <= station < stations, 0 <= level < layers.
 [[nodiscard]] double open_gap(const Scene& scene, const State& state, int station,
                               int level) noexcept;
 
 /// Nothing has been torn or burned away at this vertex.
 [[nodiscard]] bool is_whole(const Scene& scene, const State& state, int32_t vertex) noexcept;
 
-/// Between both walls at the surface, at rest [m].
+/// Between both walls at the surface, at rest [m]. @pre 0 <= station < stations.
 [[nodiscard]] Vec3 middle_at_rest(const Scene& scene, int station) noexcept;
-/// From the surface down to a level, at rest [m]. @pre 0 <= level <= layers.
+/// From the surface down to a level, at rest [m].
+/// @pre 0 <= station < stations, 0 <= level <= layers.
 [[nodiscard]] double depth_at_rest(const Scene& scene, int station, int level) noexcept;
 
 /// Station whose middle lies nearest to a place in the plane at rest [m]; -1 without a slit.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cassert>
 
 #include "sim/core/as_index.h"
 #include "sim/core/fnv_hash.h"
@@ -185,6 +186,8 @@ namespace {
 float* spring_of(const SoftBody& body, SoftBodyState& state, int vertex) noexcept {
     const KernelLayout& packed = packed_of(body, state);
     const int32_t slot = packed.slot[as_index(vertex)];
+    assert(body.spec().solver.method == Method::kVbd && "xpbd knows no loads of springs");
+    assert(packed.batches[as_index(slot / kLanes)].spring_start >= 0 && "no spring at the vertex");
     return state.springs.data() + packed.batches[as_index(slot / kLanes)].spring_start +
            slot % kLanes;
 }
@@ -205,6 +208,8 @@ void set_spring(const SoftBody& body, SoftBodyState& state, int vertex,
 void set_load(const SoftBody& body, SoftBodyState& state, int vertex, const Vec3f& load_n,
               const Vec3f& k_n_m, const Vec3f& anchor_m) noexcept {
     float* row = spring_of(body, state, vertex);
+    // What set_load() leaves alone is that of a spring without stiffness.
+    assert(row[1 * kLanes] == 0 && row[2 * kLanes] == 0 && row[4 * kLanes] == 0);
     const auto set = [row](int r, float value) { row[r * kLanes] = value; };
     set(0, k_n_m.x());
     set(3, k_n_m.y());

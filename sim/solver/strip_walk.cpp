@@ -3,6 +3,8 @@
 // Compiled once for every instruction set: Highway includes this file again and again.
 #include "sim/solver/strip_walk.h"
 
+#include <cassert>
+
 #include "sim/core/as_index.h"
 #include "sim/solver/double_float.h"
 #include "sim/solver/soft_body.h"
@@ -127,11 +129,13 @@ HWY_EXPORT(Walk);
 
 void walk_strip(const KernelLayout& packed, const SoftBodyState& state, int vertex,
                 StripSums& sums) noexcept {
+    assert(has_strips(packed) && "xpbd packs no strips");
     HWY_DYNAMIC_DISPATCH(Walk)(packed, state, vertex, sums);
 }
 
 void walk_strip_plainly(const KernelLayout& packed, const SoftBodyState& state, int vertex,
                         StripSums& sums) noexcept {
+    assert(has_strips(packed) && "xpbd packs no strips");
     const StripSteps strip(packed, state, vertex);
     strip.add_own_weight(sums);
     const Vec3 x = exact_position(state, vertex);

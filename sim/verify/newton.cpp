@@ -3,6 +3,7 @@
 #include "sim/verify/newton.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -26,6 +27,9 @@ class StaticSolver {
                  const TangentEffort& effort = {})
         : problem_(problem), body_(*problem.body), x_(x), settings_(settings), tangent_(effort) {
         const auto n = static_cast<size_t>(x.size());
+        assert(x.size() == 3 * body_.vertex_count() && "x has three coordinates a vertex");
+        assert(problem.held.size() == n && "held has one flag a coordinate");
+        assert(problem.held_at.size() == x.size() && problem.force_n.size() == x.size());
         rounding_ = 1e-14 * body_.largest_term_n();
         free_.assign(n, -1);
         for (size_t i = 0; i < n; ++i) {

@@ -40,13 +40,14 @@ struct NewtonSettings {
     std::function<void(double share, const NewtonReport&)> watch = {};
 };
 
-/// Moves x (its start guess) to equilibrium. @pre sizes as stated. Without convergence x is the
-/// last iterate and `converged` is false.
+/// Moves x (its start guess) to equilibrium. Without convergence x is the last iterate and
+/// `converged` is false. @pre x has (3 V) coordinates, the problem a body and sizes as stated.
 [[nodiscard]] NewtonReport solve_static(const StaticProblem& problem, Coordinates& x,
                                         const NewtonSettings& settings = {});
 
 /// The step (3 V) [m] that Newton's method would take from x under the whole load, held coordinates
 /// staying where they are; nullopt where the tangent is not positive definite (an unstable state).
+/// @pre as solve_static().
 [[nodiscard]] std::optional<Coordinates> newton_step(const StaticProblem& problem,
                                                      const Coordinates& x);
 
