@@ -5,6 +5,7 @@
 #include <QDialog>
 #include <QEvent>
 #include <QFrame>
+#include <QLayout>
 #include <QPainter>
 #include <QPointer>
 
@@ -72,6 +73,14 @@ void frame_dialog(QDialog* dialog) {
     frame->setObjectName("dialog_frame");
     frame->setProperty("role", "dialog_frame");
     if (dialog->parentWidget() != nullptr) new Dimming(dialog, dialog->parentWidget()->window());
+}
+
+void make_room(QDialog* dialog) {
+    QLayout* layout = dialog->layout();
+    layout->activate();
+    const int needed = layout->hasHeightForWidth() ? layout->totalHeightForWidth(dialog->width())
+                                                   : layout->totalSizeHint().height();
+    if (needed > dialog->height()) dialog->resize(dialog->width(), needed);
 }
 
 }  // namespace placode::ui

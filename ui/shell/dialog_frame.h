@@ -11,4 +11,8 @@ namespace placode::ui {
 /// Before the dialog is shown; frame and dimming live as long as it does. Main thread.
 void frame_dialog(QDialog* dialog);
 
+/// After something appeared in a dialog that is shown: it keeps its height by itself, and the words
+/// would lie over the fields. Never makes it smaller.
+void make_room(QDialog* dialog);
+
 }  // namespace placode::ui

@@ -102,12 +102,7 @@ class TakeBackDialog : public QDialog {
     void say(const QString& text) {
         message_->setText(text);
         message_->show();
-        // A dialog keeps its height when something appears in it: the words would lie over the
-        // field.
-        layout()->activate();
-        const int needed = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width())
-                                                         : layout()->totalSizeHint().height();
-        if (needed > height()) resize(width(), needed);
+        make_room(this);
     }
 
     AppContext& context_;

@@ -26,8 +26,7 @@ class HealthPage : public Page {
         column->addWidget(make_label(tr("Backup and health"), "display"));
         column->addWidget(checkCard());
         column->addWidget(backupCard());
-        if (qstr(context.store().url()).startsWith("sqlite:"))
-            column->addWidget(make_daily_backup_card(context));
+        if (context.storeIsFile()) column->addWidget(make_daily_backup_card(context));
         column->addWidget(programsCard());
         column->addStretch();
     }

@@ -107,11 +107,7 @@ class PassphraseDialog : public QDialog {
     void say(const QString& text) {
         message_->setText(text);
         message_->show();
-        // A dialog keeps its height when something appears in it.
-        layout()->activate();
-        const int needed = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width())
-                                                         : layout()->totalSizeHint().height();
-        if (needed > height()) resize(width(), needed);
+        make_room(this);
     }
 
     AppContext& context_;
