@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "db/records.h"
@@ -73,6 +74,10 @@ class Norms {
     struct KeptKey;
     [[nodiscard]] std::optional<KeptKey> kept_key();
     [[nodiscard]] KeptKey need_key();
+    [[nodiscard]] KeptKey need_sealed_key();
+    /// A new one, sealed, and its secret half; kept by nobody yet.
+    [[nodiscard]] std::pair<KeptKey, Secret> fresh_key(const std::string& centre,
+                                                       std::string_view passphrase);
     [[nodiscard]] OpenCentreKey opened(const KeptKey& kept, std::string_view passphrase);
     void need_passphrase(std::string_view passphrase);
     void need_owner_of_key();

@@ -49,6 +49,25 @@ Norms::KeptKey Norms::need_key() {
     return *kept;
 }
 
+Norms::KeptKey Norms::need_sealed_key() {
+    KeptKey key = need_key();
+    if (!is_sealed_key(key.kept))
+        connection_.fail(Kind::kNotFound,
+                         "the centre's key has no passphrase yet; `placodectl norms key seal` "
+                         "gives it one");
+    return key;
+}
+
+std::pair<Norms::KeptKey, Secret> Norms::fresh_key(const std::string& centre,
+                                                   std::string_view passphrase) {
+    KeyPair pair = new_key_pair();
+    Secret secret(pair.secret_key);
+    wipe(pair.secret_key);
+    KeptKey key{centre, pair.public_key,
+                seal_key(secret.text(), passphrase, context_.options.cheap_passwords), utc_now()};
+    return {std::move(key), std::move(secret)};
+}
+
 void Norms::need_passphrase(std::string_view passphrase) {
     if (const auto problem = passphrase_problem(passphrase))
         connection_.fail(Kind::kRefused, *problem);
@@ -141,12 +160,7 @@ OpenCentreKey Norms::open_centre_key(const std::string& centre, std::string_view
             Kind::kRefused,
             Said::that("the centre has no name yet; give it with the first norm pack"));
     need_passphrase(passphrase);
-    KeyPair pair = new_key_pair();
-    const Secret secret(pair.secret_key);
-    wipe(pair.secret_key);
-    const KeptKey key{centre, pair.public_key,
-                      seal_key(secret.text(), passphrase, context_.options.cheap_passwords),
-                      utc_now()};
+    const auto [key, secret] = fresh_key(centre, passphrase);
     UnitOfWork work(connection_);
     connection_.lock_table("centre_key");
     // Somebody else may have been quicker: that key is the centre's.
@@ -192,11 +206,7 @@ void Norms::change_key_passphrase(std::string_view old_one, std::string_view new
     need_passphrase(new_one);
     UnitOfWork work(connection_);
     connection_.lock_table("centre_key");
-    KeptKey key = need_key();
-    if (!is_sealed_key(key.kept))
-        connection_.fail(Kind::kNotFound,
-                         "the centre's key has no passphrase yet; `placodectl norms key seal` "
-                         "gives it one");
+    KeptKey key = need_sealed_key();
     need_owner_of_key();
     const OpenCentreKey open = opened(key, old_one);
     key.kept = seal_key(open.secret_key.text(), new_one, context_.options.cheap_passwords);
@@ -215,12 +225,7 @@ void Norms::renew_centre_key(std::string_view passphrase) {
         connection_.lock_table("centre_key");
         const KeptKey old = need_key();
         need_owner_of_key();
-        KeyPair pair = new_key_pair();
-        const Secret secret(pair.secret_key);
-        wipe(pair.secret_key);
-        const KeptKey key{old.centre, pair.public_key,
-                          seal_key(secret.text(), passphrase, context_.options.cheap_passwords),
-                          utc_now()};
+        const auto [key, secret] = fresh_key(old.centre, passphrase);
         trust_own(old);  // Already, unless somebody took it out: its packs stay to be checked.
         replace_key(key);
         trust_own(key);
@@ -235,11 +240,7 @@ void Norms::renew_centre_key(std::string_view passphrase) {
 std::string Norms::exported_centre_key() {
     connection_.begin_operation("export the centre's key from");
     context_.need_any({Action::kSetStandards, Action::kBackup});
-    const KeptKey key = need_key();
-    if (!is_sealed_key(key.kept))
-        connection_.fail(Kind::kNotFound,
-                         "the centre's key has no passphrase yet; `placodectl norms key seal` "
-                         "gives it one");
+    const KeptKey key = need_sealed_key();
     const auto text = [](const std::string& each) { return QString::fromStdString(each); };
     return QJsonDocument(QJsonObject{{"format", kKeyFormat},
                                      {"version", 1},
