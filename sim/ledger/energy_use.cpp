@@ -13,24 +13,23 @@ namespace {
 
 constexpr float kNoticeS = 1.0f;  // energy in air or on one spot counts from here on
 
-void end_dwell(State& state, int t) noexcept {
-    ToolLedger& spell = state.ledger.tools[t];
-    if (spell.dwell_s > kNoticeS) {
-        Event e = tool_event(state, EventKind::kDwell, t);
-        e.value = spell.dwell_s;
+/// Enters a spell that lasted long enough, and begins anew.
+void end_spell(State& state, int t, EventKind kind, float ToolLedger::*seconds) noexcept {
+    float& lasted = state.ledger.tools[t].*seconds;
+    if (lasted > kNoticeS) {
+        Event e = tool_event(state, kind, t);
+        e.value = lasted;
         add_event(state, e);
     }
-    spell.dwell_s = 0;
+    lasted = 0;
+}
+
+void end_dwell(State& state, int t) noexcept {
+    end_spell(state, t, EventKind::kDwell, &ToolLedger::dwell_s);
 }
 
 void end_air(State& state, int t) noexcept {
-    ToolLedger& spell = state.ledger.tools[t];
-    if (spell.air_s > kNoticeS) {
-        Event e = tool_event(state, EventKind::kEnergyInAir, t);
-        e.value = spell.air_s;
-        add_event(state, e);
-    }
-    spell.air_s = 0;
+    end_spell(state, t, EventKind::kEnergyInAir, &ToolLedger::air_s);
 }
 
 void end_placode_energised(State& state, int t) noexcept {
