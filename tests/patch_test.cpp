@@ -10,13 +10,13 @@
 #include <cstdlib>
 #include <memory>
 
-#include "sim/anatomy/operative_field.h"
 #include "sim/core/tool_shape.h"
 #include "sim/step/step.h"
 #include "sim/verify/newton.h"
 #include "sim/world/saved_state.h"
 #include "sim/world/scene.h"
 #include "tests/box_scene.h"
+#include "tests/flat_pad.h"
 
 namespace placode::sim {
 namespace THIS_TEST {
@@ -25,21 +25,13 @@ constexpr double kGrasperTip = 0.005;
 
 /// A flat pad of skin with a grasper and, where wanted, a patch of 8 x 6 mm in its middle.
 OperativeFieldSpec pad(bool patch = true) {
-    OperativeFieldSpec spec;
-    spec.id = "pad";
+    OperativeFieldSpec spec = test::flat_pad();
     spec.domain_x_m = 0.020;
-    spec.domain_y_m = 0.016;
     spec.edge_ring_m = spec.edge_placode_m = 0.0009;
     spec.edge_outer_m = 0.0012;
     spec.skin_edge_a_m = spec.skin_edge_b_m = 0.0032;
     spec.placode_a_m = spec.placode_b_m = 0.0011;
     spec.contour_offset_m = 0.0008;
-    spec.thin_skin_width_m = 0.0003;
-    spec.dome_height_m = spec.wobble = spec.groove_depth_m = spec.rim_height_m = 0;
-    spec.relief_skin_m = spec.relief_placode_m = 0;
-    spec.base_radius_x_m = spec.base_radius_y_m = 1000;
-    spec.skin_prestretch = spec.zone_prestretch = 1;
-    spec.heat = false;
     ToolSpec grasper;
     grasper.kind = ToolKind::kGrasper;
     grasper.tip_radius_m = 0.0005;

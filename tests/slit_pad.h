@@ -3,7 +3,7 @@
 #pragma once
 // The pad of the tests about slits.
 
-#include "sim/anatomy/operative_field.h"
+#include "tests/flat_pad.h"
 
 namespace placode::sim::test {
 
@@ -11,21 +11,13 @@ inline constexpr double kWidthM = 0.001, kHalfM = 0.006;  // of the slit, across
 
 /// A flat pad of even skin with a slit along +y, as in data/scenes/suture_slit_pad.json.
 inline OperativeFieldSpec pad() {
-    OperativeFieldSpec spec;
-    spec.id = "pad";
+    OperativeFieldSpec spec = flat_pad();
     spec.domain_x_m = 0.0315;
-    spec.domain_y_m = 0.016;
     spec.edge_ring_m = spec.edge_placode_m = 0.0007;
     spec.edge_outer_m = 0.0009;
     spec.skin_edge_a_m = spec.skin_edge_b_m = 0.0027;
     spec.placode_a_m = spec.placode_b_m = 0.001;
     spec.contour_offset_m = 0.0006;
-    spec.thin_skin_width_m = 0.0003;
-    spec.dome_height_m = spec.wobble = spec.groove_depth_m = spec.rim_height_m = 0;
-    spec.relief_skin_m = spec.relief_placode_m = 0;
-    spec.base_radius_x_m = spec.base_radius_y_m = 1000;
-    spec.skin_prestretch = spec.zone_prestretch = 1;
-    spec.heat = false;
     spec.contact.self_contact = true;
     spec.slit = FieldSlit{Vec2(0.009, -kHalfM), Vec2(0.009, kHalfM), kWidthM, 2, 0.0005};
     return spec;
