@@ -15,7 +15,9 @@ namespace placode::sim {
 namespace {
 
 constexpr int kPatchGroups = 4;       // one is looked up anew in every frame
+constexpr double kPatchFast2 = 1e-4;  // square of a speed at which all are [m2/s2]
 constexpr double kPatchReach = 8e-4;  // at 0.1 m/s it moves 0.4 mm until it is looked up again [m]
+constexpr double kPatchLost = 3e-3;   // deeper in tissue than that a vertex is let go [m]
 constexpr double kPatchStale = 1e-4;  // boxes may be those of the frame before [m]
 constexpr double kTellN = 1e-6;       // a change of load that wakes tissue [N]
 constexpr int kPatchJob = 32;         // vertices; a multiple of the groups
@@ -26,16 +28,20 @@ class FaceBelow {
     FaceBelow(const Scene& scene, const State& state, int32_t v) noexcept
         : scene_(scene), state_(state), at_(position(state.body, v)) {}
 
+    /// What was next to it the last time leaves most of the tree out from the start.
     void find(PatchTouch& out) noexcept {
         const SurfaceTriangle* found = nullptr;
+        const bool known = out.tet >= 0 && is_on_surface(state_, out.tet, out.face) &&
+                           is_known(corners_of_face(scene_, state_, out.tet, out.face));
         state_.surface.tree().walk(
             [&](const SurfaceTree::Box& box) noexcept {
                 return squared_distance(box, at_, kPatchStale) >= best2_;
             },
             [&](int slot) noexcept {
                 const SurfaceTriangle& face = state_.surface.triangles()[as_index(slot)];
-                if (is_nearer(face)) found = &face;
+                if (is_nearer(face.vertex)) found = &face;
             });
+        if (found == nullptr && known) return;
         out.tet = found == nullptr ? -1 : found->tet;
         out.face = found == nullptr
                        ? 0
@@ -43,9 +49,18 @@ class FaceBelow {
     }
 
  private:
-    [[nodiscard]] bool is_nearer(const SurfaceTriangle& face) noexcept {
+    /// What is within reach, or what the vertex lies behind: it is searched for deeper.
+    [[nodiscard]] bool is_known(const std::array<int32_t, 3>& face) noexcept {
+        if (is_nearer(face)) return true;
+        const Vec3 a = position(state_.body, face[0]), b = position(state_.body, face[1]),
+                   c = position(state_.body, face[2]);
+        if (!((b - a).cross(c - a).dot(at_ - a) < 0)) return false;
+        best2_ = kPatchLost * kPatchLost;
+        return is_nearer(face);
+    }
+    [[nodiscard]] bool is_nearer(const std::array<int32_t, 3>& face) noexcept {
         Triangle x;
-        for (size_t k = 0; k < 3; ++k) x[k] = position(state_.body, face.vertex[k]);
+        for (size_t k = 0; k < 3; ++k) x[k] = position(state_.body, face[k]);
         const Vec3 low = x[0].cwiseMin(x[1]).cwiseMin(x[2]),
                    high = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
         if ((low - at_).cwiseMax(at_ - high).cwiseMax(0.0).squaredNorm() >= best2_) return false;
@@ -72,24 +87,21 @@ class PatchTeam {
         return (scene_.patch->vertex_count + kPatchJob - 1) / kPatchJob;
     }
     void look(int job) noexcept {
-        for (int32_t i = kPatchJob * job + group_; i < end_of(job); i += kPatchGroups)
-            FaceBelow(scene_, state_, scene_.patch->first_vertex + i)
-                .find(state_.patch.touch[as_index(i)]);
+        for (int32_t i = kPatchJob * job; i < end_of(job); ++i) {
+            const int32_t v = scene_.patch->first_vertex + i;
+            // A face that it has left by half an edge would push it on.
+            const bool fast = to_vec(state_.body.v[as_index(v)]).squaredNorm() > kPatchFast2;
+            if (i % kPatchGroups != group_ && !fast) continue;
+            FaceBelow(scene_, state_, v).find(state_.patch.touch[as_index(i)]);
+        }
     }
     void press(int job) noexcept {
         for (int32_t i = kPatchJob * job; i < end_of(job); ++i)
             PatchVertex(scene_, state_, i, h_).press();
     }
     void bear(int job) noexcept {
-        for (int32_t i = kPatchJob * job; i < end_of(job); ++i) {
-            PatchLoad& load = loads_[as_index(i)];
-            load.face[0] = -1;
-            if (state_.patch.touch[as_index(i)].presses != 0)
-                PatchVertex(scene_, state_, i, h_).bear(load);
-        }
-    }
-    [[nodiscard]] const PatchLoad& load(int32_t number) const noexcept {
-        return loads_[as_index(number)];
+        for (int32_t i = kPatchJob * job; i < end_of(job); ++i)
+            PatchVertex(scene_, state_, i, h_).bear();
     }
 
  private:
@@ -100,7 +112,6 @@ class PatchTeam {
     State& state_;
     double h_;
     int32_t group_;
-    std::array<PatchLoad, kMostPatchVertices> loads_;  // only what bear() has set
 };
 
 /// Adds a share of a force to what a vertex of the tissue bears.
@@ -170,30 +181,48 @@ const SurfaceTriangle& touched_triangle(const Scene& scene, const State& state,
     return state.surface.triangles()[as_index(number)];
 }
 
+bool patch_sleeps(const Scene& scene, const State& state) noexcept {
+    if (!scene.patch || !state.sleep.enabled()) return false;
+    const int32_t block = state.sleep.block[as_index(scene.patch->first_vertex)];
+    return block >= 0 && state.sleep.asleep[as_index(block)] != 0;
+}
+
+bool patch_shaken(const Scene& scene, const State& state) noexcept {
+    for (const PatchTouch& t : state.patch.touch) {
+        if (t.tet < 0) continue;
+        for (const int32_t v : corners(scene.body, state.body, t.tet)) {
+            if (v >= static_cast<int32_t>(state.sleep.block.size())) return true;  // a copy
+            const int32_t block = state.sleep.block[as_index(v)];
+            if (block >= 0 && state.sleep.asleep[as_index(block)] == 0) return true;
+        }
+    }
+    return false;
+}
+
 void collect_patch_faces(const Scene& scene, State& state, int64_t frame) noexcept {
-    if (!scene.patch) return;
+    if (!scene.patch || patch_sleeps(scene, state)) return;
     PatchTeam team(scene, state, 0, static_cast<int32_t>(frame % kPatchGroups));
     state.workers->run<&PatchTeam::look>(team.jobs(), team);
 }
 
 void press_patch(const Scene& scene, State& state, double h) noexcept {
-    if (!scene.patch) return;
+    if (!scene.patch || patch_sleeps(scene, state)) return;
     PatchTeam team(scene, state, h);
     state.workers->run<&PatchTeam::press>(team.jobs(), team);
     hold_by_touch(*scene.patch, state);
 }
 
 void bear_patch(const Scene& scene, State& state, double h) noexcept {
-    if (!scene.patch) return;
+    if (!scene.patch || patch_sleeps(scene, state)) return;
     PatchState& patch = state.patch;
     for (int32_t i = 0; i < patch.loaded_count; ++i)
         patch.load_n[as_index(patch.loaded[as_index(i)])] = {};
     PatchTeam team(scene, state, h);
     state.workers->run<&PatchTeam::bear>(team.jobs(), team);
-    for (int32_t i = 0; i < scene.patch->vertex_count; ++i) {
-        const PatchLoad& load = team.load(i);
-        for (size_t k = 0; k < 3 && load.face[0] >= 0; ++k)
-            add_patch_load(*scene.patch, patch, load.face[k], load.force_n[k]);
+    for (const PatchTie& tie : state.scratch->patch.ties) {
+        for (size_t k = 0; k < 3 && tie.holds; ++k)
+            add_patch_load(*scene.patch, patch, tie.face[k],
+                           tie.weight[static_cast<int>(k)] * tie.load_n);
     }
     give_loads(scene, state);
 }

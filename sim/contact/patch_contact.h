@@ -31,6 +31,12 @@ inline constexpr int32_t kPatchCandidate = 1 << 24;
 [[nodiscard]] const SurfaceTriangle& touched_triangle(const Scene& scene, const State& state,
                                                       int32_t number) noexcept;
 
+/// It is at rest and not solved (sim/solver/sleep.h): the three calls below do nothing, its ties
+/// and what the tissue bears of it stay as they are.
+[[nodiscard]] bool patch_sleeps(const Scene& scene, const State& state) noexcept;
+/// Whether something of the tissue that is next to it is awake.
+[[nodiscard]] bool patch_shaken(const Scene& scene, const State& state) noexcept;
+
 /// Start of a frame, after collect_candidates(): looks up nearest faces of one group of vertices,
 /// by the number of the frame.
 void collect_patch_faces(const Scene& scene, State& state, int64_t frame) noexcept;

@@ -6,13 +6,13 @@
 #include <algorithm>
 
 #include "sim/contact/surface_face.h"
-#include "sim/core/as_index.h"
 
 namespace placode::sim {
 namespace {
 
-constexpr double kPatchDeepest = 8e-4;  // deeper in the tissue, a vertex is let go [m]
-constexpr double kPatchBeside = 2e-4;   // below a face, so far beside it a vertex still touches [m]
+constexpr double kPatchDeepest = 8e-4;   // deeper in the tissue, a vertex is drawn out [m]
+constexpr double kPatchRecovery = 2e-4;  // as gently as from so deep [m]
+constexpr double kPatchBeside = 2e-4;  // below a face, so far beside it a vertex still touches [m]
 // Pressure for every metre of overlap. The tissue's load comes a substep late, so it must be below
 // what its surface answers at once, rho L / h^2 + E / L: 1.7e7 Pa/m for gel of 3 kPa and L = 0.9
 // mm. There 2e7 trembles and 5e6 is quiet.
@@ -49,54 +49,68 @@ PatchVertex::PatchVertex(const Scene& scene, State& state, int32_t number, doubl
       patch_(*scene.patch),
       state_(state),
       touch_(state.patch.touch[as_index(number)]),
+      tie_(state.scratch->patch.ties[as_index(number)]),
+      number_(number),
       vertex_(patch_.first_vertex + number),
-      h_(h) {
-    const double long_step = std::max(1.0, h / kPressSubstep);
-    press_n_m_ =
-        kPressPaM * static_cast<double>(patch_.area_m2[as_index(number)]) / (long_step * long_step);
-    meet();
-}
+      h_(h) {}
 
 void PatchVertex::press() noexcept {
-    const Vec3 guess = coasting();
-    const double load = touches_ ? load_of(guess) : 0;
-    if (!(load > 0)) {
-        if (touch_.presses != 0) set_spring(scene_.body, state_.body, vertex_, {}, Vec3f::Zero());
-        touch_.presses = 0;
-        touch_.anchor = {};
-        return;
+    meet();
+    hold();
+    if (tie_.holds) {
+        tie(tie_.k_n_m, tie_.place);
+    } else if (touch_.presses != 0) {
+        tie(Mat3::Zero(), Vec3::Zero());
     }
-    touch_.presses = 1;
-    const Vec3 anchor = anchor_at(guess);
-    const Vec3 slide = across(guess - anchor);
-    // Beyond Coulomb's limit the secant of the law.
-    const double whole = kRubShare * press_n_m_, most = patch_.friction * load;
-    const double rub = whole * slide.norm() > most ? most / slide.norm() : whole;
-    const Mat3 along = n_ * n_.transpose();
-    const Mat3 k = press_n_m_ * along + rub * (Mat3::Identity() - along);
-    const Vec3 place = n_ * overlap_at_ + across(anchor);
+    touch_.presses = tie_.holds ? 1 : 0;
+}
+
+void PatchVertex::tie(const Mat3& k, const Vec3& place) noexcept {
     const auto f = [&k](int i, int j) { return static_cast<float>(k(i, j)); };
     set_spring(scene_.body, state_.body, vertex_,
                {f(0, 0), f(0, 1), f(0, 2), f(1, 1), f(1, 2), f(2, 2)}, place.cast<float>());
 }
 
-void PatchVertex::bear(PatchLoad& out) noexcept {
-    out.face[0] = -1;
+double PatchVertex::press_pa_m() const noexcept {
+    const double long_step = std::max(1.0, h_ / kPressSubstep);
+    return kPressPaM / (long_step * long_step);
+}
+
+/// Ties it to the face while it presses on it.
+void PatchVertex::hold() noexcept {
+    const Vec3 guess = coasting();
+    const double load = tie_.touches ? load_of(guess) : 0;
+    tie_.holds = load > 0;
+    if (!tie_.holds) {
+        touch_.anchor = {};
+        return;
+    }
+    tie_.anchor = find_anchor(guess);
+    const Vec3 slide = across(guess - tie_.anchor);
+    // Beyond Coulomb's limit the secant of the law.
+    const double whole = kRubShare * tie_.press_n_m, most = patch_.friction * load;
+    const double rub = whole * slide.norm() > most ? most / slide.norm() : whole;
+    const Mat3 along = tie_.n * tie_.n.transpose();
+    tie_.k_n_m = tie_.press_n_m * along + rub * (Mat3::Identity() - along);
+    tie_.place = tie_.n * tie_.overlap_at_m + across(tie_.anchor);
+}
+
+void PatchVertex::bear() noexcept {
+    tie_.load_n.setZero();
+    if (!tie_.holds) return;
     const Vec3 x = position(state_.body, vertex_);
-    const double load = touches_ ? load_of(x) : 0;
+    const double load = load_of(x);
     if (!(load > 0)) return;
-    const Vec3 anchor = anchor_at(x), slide = across(x - anchor);
-    const double stiffness = kRubShare * press_n_m_;
+    const Vec3 slide = across(x - tie_.anchor);
+    const double stiffness = kRubShare * tie_.press_n_m;
     const double most = patch_.friction * load, held = stiffness * slide.norm();
     Vec3 rub = stiffness * slide;
     if (held > most) {
         rub *= most / held;
-        touch_.anchor = {touch_.tet, touch_.face, weights_at(x - rub / stiffness, ahead_)};
+        touch_.anchor = {touch_.tet, touch_.face, weights_at(x - rub / stiffness, tie_.ahead)};
     }
-    const Vec3 force = rub - load * n_;
-    if (!force.allFinite()) return;
-    out.face = face_;
-    for (int k = 0; k < 3; ++k) out.force_n[as_index(k)] = weight_[k] * force;
+    const Vec3 force = rub - load * tie_.n;
+    if (force.allFinite()) tie_.load_n = force;
 }
 
 /// Where it gets by its velocity alone. Not by its weight: what others hold up a little above
@@ -109,31 +123,35 @@ Vec3 PatchVertex::coasting() const noexcept {
 
 /// By the places at the substep's start.
 void PatchVertex::meet() noexcept {
+    tie_.touches = false;
     if (touch_.tet < 0 || !is_on_surface(state_, touch_.tet, touch_.face)) return;
-    face_ = corners_of_face(scene_, state_, touch_.tet, touch_.face);
+    tie_.face = corners_of_face(scene_, state_, touch_.tet, touch_.face);
     Triangle start;
-    for (size_t k = 0; k < 3; ++k) start[k] = to_vec(state_.body.x_start[as_index(face_[k])]);
-    ahead_ = face_ahead(state_, face_, h_);
+    for (size_t k = 0; k < 3; ++k) start[k] = to_vec(state_.body.x_start[as_index(tie_.face[k])]);
+    tie_.ahead = face_ahead(state_, tie_.face, h_);
     const Vec3 x = to_vec(state_.body.x_start[as_index(vertex_)]);
-    const Vec3 w = weight_ = closest_on_triangle(x, start);
+    const Vec3 w = tie_.weight = closest_on_triangle(x, start);
     const Vec3 way = x - w.x() * start[0] - w.y() * start[1] - w.z() * start[2];
     const Vec3 face = (start[1] - start[0]).cross(start[2] - start[0]).normalized();
     const double height = face.dot(way), distance = way.norm();
     // Outside, the way to the nearest point is a normal that turns smoothly over edges.
     const bool outside = height > 0 && distance > 1e-6;
-    n_ = outside ? Vec3(way / distance) : face;
-    if (!outside && (height < -kPatchDeepest || (way - height * face).norm() > kPatchBeside))
-        return;
-    const Vec3 at = w.x() * ahead_[0] + w.y() * ahead_[1] + w.z() * ahead_[2];
-    overlap_at_ = n_.dot(at) + patch_.thickness_m / 2;
-    touches_ = n_.allFinite();
+    tie_.n = outside ? Vec3(way / distance) : face;
+    if (!outside && (way - height * face).norm() > kPatchBeside) return;
+    const Vec3 at = w.x() * tie_.ahead[0] + w.y() * tie_.ahead[1] + w.z() * tie_.ahead[2];
+    tie_.overlap_at_m = tie_.n.dot(at) + patch_.thickness_m / 2;
+    if (height < -kPatchDeepest) tie_.overlap_at_m = tie_.n.dot(x) + kPatchRecovery;
+    tie_.press_n_m = press_pa_m() * static_cast<double>(patch_.area_m2[as_index(number_)]);
+    tie_.touches = tie_.n.allFinite();
 }
 
 /// Where friction holds the vertex; where it touches first, if nothing does yet.
-Vec3 PatchVertex::anchor_at(const Vec3& x) noexcept {
+Vec3 PatchVertex::find_anchor(const Vec3& x) noexcept {
     TissueSpot& anchor = touch_.anchor;
     if (anchor.tet < 0 || !is_on_surface(state_, anchor.tet, anchor.face))
-        anchor = {touch_.tet, touch_.face, weights_at(x, ahead_)};
+        anchor = {touch_.tet, touch_.face, weights_at(x, tie_.ahead)};
+    if (anchor.tet == touch_.tet && anchor.face == touch_.face)
+        return point_on(tie_.ahead, anchor.weight);
     return point_on(
         face_ahead(state_, corners_of_face(scene_, state_, anchor.tet, anchor.face), h_),
         anchor.weight);

@@ -32,6 +32,23 @@ std::vector<int32_t> homes(const Sleep& sleep) {
     return home;
 }
 
+/// Vertices of a sheet that hangs on no tissue, ascending: it sleeps or wakes as a whole, in a
+/// block of its own behind the others.
+std::vector<int32_t> loose_sheet(const SoftBody& body) {
+    std::vector<int32_t> out;
+    if (!body.spec().sheet_material) return out;
+    for (const SheetTriangle& t : body.spec().sheet)
+        out.insert(out.end(), t.vertex.begin(), t.vertex.end());
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    const auto& fixed = body.spec().fixed;
+    const bool hangs = std::any_of(out.begin(), out.end(), [&](int32_t v) {
+        return !body.tets_of(v).empty() || std::find(fixed.begin(), fixed.end(), v) != fixed.end();
+    });
+    if (hangs || !body.packed().single_vertices.empty()) out.clear();
+    return out;
+}
+
 }  // namespace
 
 Sleep::Sleep(const SoftBody& body) {
@@ -45,22 +62,26 @@ Sleep::Sleep(const SoftBody& body) {
     for (const int32_t v : body.spec().fixed) fixed[as_index(v)] = 1;
     const KernelLayout& packed = body.packed();
     const int32_t swept = packed.job_start.back();
+    const std::vector<int32_t> loose = loose_sheet(body);
     std::vector<int32_t> order;
     for (int32_t v = 0; v < vertices; ++v) {
         if (packed.slot[as_index(v)] / kLanes < swept)
             order.push_back(v);
+        else if (std::binary_search(loose.begin(), loose.end(), v))
+            continue;
         else if (fixed[as_index(v)] == 0)
             unblocked.push_back(v);
     }
     const auto keys = hilbert_keys(body.mesh().rest);
     std::stable_sort(order.begin(), order.end(),
                      [&](int32_t a, int32_t b) { return keys[as_index(a)] < keys[as_index(b)]; });
-    const int count = static_cast<int>(order.size() + kBlock - 1) / kBlock;
+    const int of_tissue = static_cast<int>(order.size() + kBlock - 1) / kBlock;
+    const int count = of_tissue + (loose.empty() ? 0 : 1);
     member = order;
     for (size_t i = 0; i < order.size(); ++i)
         block[as_index(order[i])] = static_cast<int32_t>(i) / kBlock;
     std::vector<std::vector<int32_t>> around(as_index(count));
-    for (int b = 0; b < count; ++b) {
+    for (int b = 0; b < of_tissue; ++b) {
         member_start.push_back(b * kBlock);
         const size_t end = std::min(order.size(), as_index(b + 1) * kBlock);
         for (size_t i = as_index(b) * kBlock; i < end; ++i) {
@@ -71,6 +92,11 @@ Sleep::Sleep(const SoftBody& body) {
                 }
             }
         }
+    }
+    if (!loose.empty()) {
+        member_start.push_back(static_cast<int32_t>(member.size()));
+        member.insert(member.end(), loose.begin(), loose.end());
+        for (const int32_t v : loose) block[as_index(v)] = of_tissue;
     }
     member_start.push_back(static_cast<int32_t>(member.size()));
     compress(around, border_start, border);

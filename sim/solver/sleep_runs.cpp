@@ -60,6 +60,16 @@ void set_vertex_jobs(const KernelLayout& packed, AwakeRuns& awake, Sleep& sleep)
         }
     }
     awake.job_start.back() = static_cast<int32_t>(awake.batches.size());
+    // Behind the last job the sheet, while it is awake.
+    const auto& sheet = packed.sheet_strips.batches;
+    if (sheet.empty()) return;
+    const int32_t own =
+        sleep.block[as_index(packed.batches[as_index(sheet.front().batch)].vertex[0])];
+    if (own >= 0 && sleep.asleep[as_index(own)] != 0) return;
+    for (int32_t i = own < 0 ? 0 : sleep.member_start[as_index(own)];
+         own >= 0 && i < sleep.member_start[as_index(own) + 1]; ++i)
+        keep_awake(sleep, sleep.member[as_index(i)]);
+    awake.batches.push_back({sheet.front().batch, sheet.back().batch + 1});
 }
 
 /// XPBD solves batches of tets with a vertex that is awake, and the springs of batches likewise.

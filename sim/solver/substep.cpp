@@ -144,6 +144,8 @@ class Substep {
     void sweep_sheets() noexcept {
         const auto& colours = packed_.sheet_strips.colour_start;
         const bool stiff = body_.spec().sheet_material.has_value();
+        const AwakeRuns& awake = state_.awake;
+        if (stiff && !awake.all && awake.job_start.back() == std::ssize(awake.batches)) return;
         const float kept = arguments_.over_relaxation;
         if (stiff) arguments_.over_relaxation = 1;
         for (size_t c = 0; c + 1 < colours.size(); ++c) sweep_sheet_colour(c);

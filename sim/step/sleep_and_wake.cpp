@@ -153,6 +153,8 @@ void wake_tissue(const Scene& scene, State& state) noexcept {
     for (int b = 0; b < sleep.blocks(); ++b) {
         if (sleep.beside[as_index(b)] != 0 && shaken(state.body, sleep, b)) wake_block(sleep, b);
     }
+    if (patch_sleeps(scene, state) && patch_shaken(scene, state))
+        wake_vertex(sleep, scene.patch->first_vertex);
     // New copies take part even where nobody had to wake for them.
     if (sleep.asleep_count != before || sleep.known_vertices != known)
         set_runs(scene.body, state.body, sleep);
@@ -167,6 +169,12 @@ void doze(const Scene& scene, State& state) noexcept {
         uint8_t& looks = sleep.calm[as_index(b)];
         looks = is_calm(state, sleep, b) ? static_cast<uint8_t>(looks + 1) : uint8_t{0};
         if (looks < kCalmLooks) continue;
+        // What bears a patch falls asleep first.
+        const bool patch = scene.patch && b == sleep.block[as_index(scene.patch->first_vertex)];
+        if (patch && patch_shaken(scene, state)) {
+            looks = kCalmLooks;
+            continue;
+        }
         fall_asleep(state.body, sleep, b);
         changed = true;
     }

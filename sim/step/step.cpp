@@ -10,6 +10,7 @@
 
 #include "sim/contact/contact.h"
 #include "sim/contact/patch_contact.h"
+#include "sim/contact/patch_modes.h"
 #include "sim/contact/self_contact.h"
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/diathermy.h"
@@ -188,6 +189,7 @@ void run_substeps(const Scene& scene, State& state, const std::array<Pose, kMaxT
             solve_contacts(scene, state, h, true);
             costs.charge(kContact);
         }
+        move_patch_whole(scene, state, h);
         finish_contacts(state);
         bear_patch(scene, state, h);
         feel_grasped(scene, state);
@@ -310,6 +312,7 @@ void settle(const Scene& scene, State& state, double seconds) noexcept {
         for (int i = 0; i < solver.iterations; ++i) {
             sweep(scene.body, state.body, h, *state.workers);
         }
+        move_patch_whole(scene, state, h);
         bear_patch(scene, state, h);
         end_substep(scene.body, state.body, h, *state.workers);
         for (Float4& v : state.body.v) {

@@ -11,6 +11,7 @@
 #include "sim/suture/needle_bonds.h"
 #include "sim/world/contact_state.h"
 #include "sim/world/cut_state.h"
+#include "sim/world/patch_scratch.h"
 #include "sim/world/pieces_state.h"
 #include "sim/world/state.h"
 
@@ -35,6 +36,7 @@ struct State::Scratch {
     std::vector<int32_t> candidates;       // (V) vertices near a current
     std::vector<float> placode_volume_m3;  // (V) share of the placode, constant
     PieceSearch pieces;
+    PatchScratch patch;
     std::vector<SutureScratch> suture;  // empty or one
     SutureReport suture_report;         // of this frame
     std::vector<Vec3> sac_thirds;       // (triangles of the sac) of this frame

@@ -15,12 +15,17 @@ constexpr int kVaporisedPerStep = 64;
 
 }  // namespace
 
+PatchScratch::PatchScratch(const Scene& scene) {
+    if (scene.patch) ties.resize(static_cast<size_t>(scene.patch->vertex_count));
+}
+
 State::Scratch::Scratch(const Scene& scene, CutProgress* untouched)
     : contacts(scene),
       vaporised(kVaporisedPerStep),
       candidates(scene.body.vertex_count()),
       placode_volume_m3(scene.body.vertex_count(), 0.0f),
       pieces(scene),
+      patch(scene),
       sac_thirds(scene.sac.triangles.size()),
       sector_stack(scene.body.tet_count()),
       tet_seen(scene.body.tet_count(), 0),
