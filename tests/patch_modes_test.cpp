@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a patch moves as a whole, against closed forms; and when it sleeps.
+// How a patch moves as a whole, against closed forms; when it sleeps; how it meets itself.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "sim/contact/patch_contact.h"
 #include "sim/contact/patch_modes.h"
+#include "sim/core/event.h"
 #include "tests/patch_pad.h"
 
 namespace placode::sim {
@@ -137,6 +139,85 @@ TEST(PatchModes, WakesWithTheTissueBelow) {
     rouse(run.state.body, corners(run.scene->body, run.state.body, tet)[0]);
     run.frames(1);
     EXPECT_FALSE(patch_sleeps(*run.scene, run.state));
+}
+
+/// Folded over on itself, a column of triangles upright in the bend, so that no edge changes its
+/// length; above the pad.
+void fold(Lying& run) {
+    for (int i = 0; i < run.patch().vertex_count; ++i) {
+        const auto v = static_cast<size_t>(run.patch().first_vertex + i);
+        Float4& x = run.state.body.x[v];
+        if (x.x > -0.0005F) x.z += 0.001F;
+        if (x.x > -0.0005F) x.x = -0.001F - x.x;
+        run.state.body.x_start[v] = x;
+    }
+}
+
+/// Between a vertex and what is no neighbour of it at rest: the least distance [m].
+double least_between_layers(const Lying& run) {
+    const auto& rest = run.scene->body.mesh().rest;
+    double least = 1;
+    for (int i = 0; i < run.patch().vertex_count; ++i) {
+        const Vec3 p = run.at(i), p_rest = rest[static_cast<size_t>(run.patch().first_vertex + i)];
+        for (const SurfaceTriangle& t : run.patch().triangles) {
+            Triangle x;
+            Vec3 middle = Vec3::Zero();
+            for (size_t k = 0; k < 3; ++k) {
+                x[k] = position(run.state.body, t.vertex[k]);
+                middle += rest[static_cast<size_t>(t.vertex[k])] / 3;
+            }
+            if ((middle - p_rest).norm() < 0.003) continue;
+            const Vec3 w = closest_on_triangle(p, x);
+            least = std::min(least, (p - w.x() * x[0] - w.y() * x[1] - w.z() * x[2]).norm());
+        }
+    }
+    return least;
+}
+
+OperativeFieldSpec limp() {
+    OperativeFieldSpec spec = test::patch_pad();
+    spec.patch->bending = 0.0002;  // its weight keeps it folded
+    spec.tools[0] = {};
+    spec.tools[0].kind = ToolKind::kProbe;
+    spec.tools[0].tip_radius_m = 0.001;
+    spec.tools[0].tip_length_m = 0.0025;
+    return spec;
+}
+
+// By its own weight, and under a probe that presses both layers into the tissue.
+TEST(PatchModes, FoldedItKeepsItsThicknessApart) {
+    Lying run(limp());
+    fold(run);
+    run.frames(2000);
+    RecordProperty("apart_nm", static_cast<int>(1e9 * least_between_layers(run)));
+    EXPECT_GT(least_between_layers(run), 0.9 * run.patch().thickness_m) << "at rest";
+    EXPECT_GT(run.highest(), 1.4 * run.patch().thickness_m) << "one layer on the other";
+    run.go(Vec3(-0.002, 0, 0.004), 0, 100);
+    run.go(Vec3(-0.002, 0, 0), 0, 300);
+    double least = 1;
+    for (int i = 0; i < 20; ++i) {
+        run.frames(20);
+        least = std::min(least, least_between_layers(run));
+    }
+    EXPECT_GT(run.state.tools[0].force_n.norm(), 0.002);
+    RecordProperty("pressed_nm", static_cast<int>(1e9 * least));
+    EXPECT_GT(least, 0.5 * run.patch().thickness_m) << "pressed";
+    EXPECT_EQ(run.state.body.flags & kNotFinite, 0U);
+}
+
+TEST(PatchModes, FoldedAndSlidingItHasTheSameBitsOnOneTwoAndThreeThreads) {
+    std::array<uint64_t, 3> hash{};
+    for (int threads = 1; threads <= 3; ++threads) {
+        OperativeFieldSpec spec = limp();
+        spec.solver.gravity_m_s2 = kG * Vec3(0.4, 0.1, -0.9);
+        Lying run(spec, threads);
+        fold(run);
+        run.go(Vec3(-0.002, 0, 0.004), 0, 100);
+        run.go(Vec3(-0.002, 0, 0.0002), 0, 200);
+        hash[static_cast<size_t>(threads - 1)] = state_hash(run.state);
+    }
+    EXPECT_EQ(hash[0], hash[1]);
+    EXPECT_EQ(hash[0], hash[2]);
 }
 
 }  // namespace THIS_TEST

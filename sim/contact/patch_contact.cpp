@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "sim/contact/patch_fold.h"
 #include "sim/contact/patch_vertex.h"
 #include "sim/contact/surface_face.h"
 #include "sim/core/as_index.h"
@@ -201,6 +202,7 @@ bool patch_shaken(const Scene& scene, const State& state) noexcept {
 
 void collect_patch_faces(const Scene& scene, State& state, int64_t frame) noexcept {
     if (!scene.patch || patch_sleeps(scene, state)) return;
+    collect_patch_folds(scene, state);
     PatchTeam team(scene, state, 0, static_cast<int32_t>(frame % kPatchGroups));
     state.workers->run<&PatchTeam::look>(team.jobs(), team);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "sim/contact/patch_fold.h"
 #include "sim/contact/surface_face.h"
 
 namespace placode::sim {
@@ -19,6 +20,7 @@ constexpr double kPatchBeside = 2e-4;  // below a face, so far beside it a verte
 constexpr double kPressPaM = 5e6;
 constexpr double kPressSubstep = 2.5e-4;  // in longer ones as much softer as inertia is [s]
 constexpr double kRubShare = 0.5;         // of the friction spring, of the normal one
+constexpr double kLeastHold = 1e-9;       // of a spring's trace, where it holds nothing
 
 /// Where the corners of a face will be at the end of a substep, if nothing changes their velocity.
 Triangle face_ahead(const State& state, const std::array<int32_t, 3>& face, double h) noexcept {
@@ -57,12 +59,24 @@ PatchVertex::PatchVertex(const Scene& scene, State& state, int32_t number, doubl
 void PatchVertex::press() noexcept {
     meet();
     hold();
-    if (tie_.holds) {
+    PatchSpring sum;
+    const bool meets = state_.scratch->patch.folded &&
+                       add_patch_folds(scene_, state_, number_, press_pa_m(), h_, sum);
+    if (tie_.holds && !meets) {
         tie(tie_.k_n_m, tie_.place);
+    } else if (meets) {
+        if (tie_.holds) {
+            sum.k_n_m += tie_.k_n_m;
+            sum.k_place_n += tie_.k_n_m * tie_.place;
+        }
+        // Where nothing holds it, across a contact without friction, it stays where it gets.
+        const double least = kLeastHold * sum.k_n_m.trace();
+        const Mat3 k = sum.k_n_m + least * Mat3::Identity();
+        tie(sum.k_n_m, k.inverse() * (sum.k_place_n + least * coasting()));
     } else if (touch_.presses != 0) {
         tie(Mat3::Zero(), Vec3::Zero());
     }
-    touch_.presses = tie_.holds ? 1 : 0;
+    touch_.presses = tie_.holds || meets ? 1 : 0;
 }
 
 void PatchVertex::tie(const Mat3& k, const Vec3& place) noexcept {

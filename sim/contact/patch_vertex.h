@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One vertex of a patch against the face of the tissue that is next to it, for one substep.
+// One vertex of a patch against the face of the tissue that is next to it, and against the patch
+// itself, for one substep.
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Working memory of a patch: what its vertices touch within a substep (sim/contact/patch_vertex.h).
+// Working memory of a patch: what its vertices touch within a substep (sim/contact/patch_vertex.h),
+// and which of its own triangles they may meet within a frame (sim/contact/patch_fold.h).
 
 #include <array>
 #include <cstdint>
@@ -33,6 +34,15 @@ struct PatchScratch {
     explicit PatchScratch(const Scene& scene);
 
     std::vector<PatchTie> ties;  ///< (vertices of the patch)
+    /// The nearest triangle of the patch that is no neighbour at rest, and the nearest on the other
+    /// side; -1 = none within reach (vertices of the patch). Not to be read unless `folded`.
+    std::vector<std::array<int32_t, 2>> folds;
+    bool folded = false;  ///< In this frame.
+    /// Cells of space, each with its triangles: of cell c triangle[start[c] .. start[c + 1]).
+    std::vector<int32_t> cell_start, cell_triangle;
+    std::vector<int32_t> cell_of;   ///< (triangles)
+    std::vector<Vec3> rest_centre;  ///< (triangles) Constant.
+    double apart_m = 0;             ///< At rest, what is nearer cannot meet. Constant.
 };
 
 }  // namespace placode::sim

@@ -12,11 +12,32 @@ namespace placode::sim {
 namespace {
 
 constexpr int kVaporisedPerStep = 64;
+constexpr double kFoldApart = 2;     // of the longest edge: neighbours of a patch do not meet
+constexpr size_t kFoldCells = 2048;  // of space, by a hash; a power of two
 
 }  // namespace
 
 PatchScratch::PatchScratch(const Scene& scene) {
-    if (scene.patch) ties.resize(static_cast<size_t>(scene.patch->vertex_count));
+    if (!scene.patch) return;
+    const Patch& patch = *scene.patch;
+    const auto& rest = scene.body.mesh().rest;
+    ties.resize(static_cast<size_t>(patch.vertex_count));
+    folds.assign(ties.size(), {-1, -1});
+    cell_start.assign(kFoldCells + 1, 0);
+    cell_triangle.assign(patch.triangles.size(), -1);
+    cell_of.assign(patch.triangles.size(), -1);
+    double longest_m = patch.thickness_m;
+    for (const SurfaceTriangle& t : patch.triangles) {
+        Vec3 sum = Vec3::Zero();
+        for (const int32_t v : t.vertex) sum += rest[static_cast<size_t>(v)];
+        rest_centre.emplace_back(sum / 3);
+        for (size_t k = 0; k < 3; ++k) {
+            longest_m = std::max(longest_m, (rest[static_cast<size_t>(t.vertex[k])] -
+                                             rest[static_cast<size_t>(t.vertex[(k + 1) % 3])])
+                                                .norm());
+        }
+    }
+    apart_m = kFoldApart * longest_m;
 }
 
 State::Scratch::Scratch(const Scene& scene, CutProgress* untouched)
