@@ -113,6 +113,10 @@ std::string_view event_name(EventKind kind) noexcept {
             return "slit_gap";
         case EventKind::kWatertight:
             return "watertight";
+        case EventKind::kPatchEdge:
+            return "patch_edge";
+        case EventKind::kPatchFold:
+            return "patch_fold";
         case EventKind::kNeedleTaken:
             return "needle_taken";
         case EventKind::kNeedleReleased:
@@ -164,7 +168,8 @@ bool only_in_recording(EventKind kind) noexcept {
            kind == EventKind::kStretchSum || kind == EventKind::kThermalSpread ||
            kind == EventKind::kTakenOut || kind == EventKind::kMarkedLost ||
            kind == EventKind::kRingGap || kind == EventKind::kSlitGap ||
-           kind == EventKind::kWatertight || kind == EventKind::kLedgerWritten;
+           kind == EventKind::kWatertight || kind == EventKind::kLedgerWritten ||
+           kind == EventKind::kPatchEdge || kind == EventKind::kPatchFold;
 }
 
 }  // namespace placode::sim

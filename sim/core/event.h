@@ -103,6 +103,12 @@ enum class EventKind : uint16_t {
     kWatertight = 87,  ///< after the last frame, a slit under pressure (sim/step/watertight.h):
                        ///< value = leak [m3/s], value2 = pressure [Pa], element = station, -1 = of
                        ///< all, -2 = the pressure at which it burst, or the highest where it held
+    kPatchEdge = 88,   ///< after the last frame, one for each point of the placode's edge: value =
+                       ///< how far a patch reaches beyond it [m], at most 10 mm, 0 = not over it,
+                       ///< element = point, rest_position = the point. The first has element -1,
+                       ///< value = number of points, value2 = share of the placode left open
+    kPatchFold = 89,   ///< after the last frame: value = area of a patch that lies in folds [m^2],
+                       ///< value2 = its whole area [m^2], rest_position = the middle of the folds
     // Needle and thread (sim/suture). Place: on the tissue at rest, or of the jaws for those of the
     // hold. hash = number of the channel, 1 for the first bite.
     kNeedleTaken = 90,  ///< jaws closed on the needle: value = where, from the point [m], value2 =
