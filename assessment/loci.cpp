@@ -10,6 +10,7 @@
 #include "assessment/closure.h"
 #include "assessment/loci_line.h"
 #include "assessment/motion_metrics.h"
+#include "assessment/patch_metrics.h"
 #include "assessment/tissue_metrics.h"
 
 namespace placode::assessment {
@@ -234,6 +235,28 @@ std::optional<Locus> locate_suture(std::string_view metric, const sim::Recording
     return std::nullopt;
 }
 
+/// Where a patch reaches least beyond the placode's edge, where it is folded, where it was taken
+/// last.
+std::optional<Locus> locate_patch(std::string_view metric, const sim::Recording& recording) {
+    if (metric.substr(0, 6) != "patch_") return std::nullopt;
+    const Event* shown = nullptr;
+    Locus locus;
+    for (const Event& e : recording.events) {
+        const bool taken = metric == "patch_grasps" && is_patch_grasp(e);
+        if (taken) ++locus.count;
+        if (taken || (metric == "patch_folded_percent" && e.kind == EventKind::kPatchFold))
+            shown = &e;
+    }
+    if (metric.substr(0, 13) == "patch_overlap" || metric == "patch_uncovered_percent")
+        shown = least_overlap(recording);
+    if (shown == nullptr) return locus;
+    locus.count = std::max(1, locus.count);
+    use_event(locus, *shown, false);
+    if (shown->kind == EventKind::kPatchEdge || shown->kind == EventKind::kPatchFold)
+        locus.time_s = -1;  // how it lies is no moment
+    return locus;
+}
+
 /// The bite of a row that a metric speaks of, where it went in or came out.
 std::optional<Locus> locate_bite(std::string_view metric, const sim::Recording& recording) {
     if (metric.substr(0, 5) != "bite_" && metric != "bites_done") return std::nullopt;
@@ -258,6 +281,7 @@ Locus locate(std::string_view metric, double threshold, const sim::Recording& re
     if (const auto found = locate_tissue(metric, recording)) return *found;
     if (const auto found = locate_suture(metric, recording)) return *found;
     if (const auto found = locate_bite(metric, recording)) return *found;
+    if (const auto found = locate_patch(metric, recording)) return *found;
     if (const auto found = locate_on_line(metric, recording)) return *found;
     if (metric == "resected_percent" || metric == "marked_gone_percent" || metric == "pieces_out" ||
         metric == "resected_mm3")

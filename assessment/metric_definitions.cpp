@@ -320,6 +320,25 @@ constexpr MetricDefinition kMetrics[] = {
      "Pressure below the slit at which more than 10 ml/min pass it, rounded down to 0.1; the test "
      "ends at 40 cmH2O.",
      "Placode"},
+    {"patch_overlap_percent", "Edge overlapped by the patch", "%", kHigherIsBetter,
+     "Share of the placode's edge beyond which the patch reaches 5 mm or more, hands off.",
+     "Placode"},
+    {"patch_overlap_mean_mm", "Overlap of the patch, mean", "mm", kHigherIsBetter,
+     "How far the patch reaches beyond the placode's edge, hands off: mean along the edge, where "
+     "more than 5 mm counts as 5.",
+     "Placode"},
+    {"patch_overlap_least_mm", "Overlap of the patch, least", "mm", kHigherIsBetter,
+     "How far the patch reaches beyond the placode's edge, hands off, where it reaches least; 0 "
+     "where it does not cover the edge, 10 at most.",
+     "Placode"},
+    {"patch_uncovered_percent", "Placode left open", "%", kLowerIsBetter,
+     "Share of the placode that the patch does not cover, hands off.", "Placode"},
+    {"patch_folded_percent", "Folds of the patch", "%", kLowerIsBetter,
+     "Share of the patch that lies on another layer of it, or stands or turns more than 60 degrees "
+     "away from the rest of it, hands off.",
+     "Placode"},
+    {"patch_grasps", "Grasps of the patch", "", kLowerIsBetter, "Times that jaws took the patch.",
+     "Placode"},
     {"needle_entries", "Entries of the needle", "", kLowerIsBetter,
      "Times that the needle's point opened a surface from outside.", "Placode"},
     {"needle_regrasps", "Needle taken again", "", kLowerIsBetter,

@@ -10,6 +10,7 @@
 #include "assessment/closure.h"
 #include "assessment/motion_detail.h"
 #include "assessment/motion_metrics.h"
+#include "assessment/patch_metrics.h"
 #include "assessment/practice.h"
 #include "assessment/suture_metrics.h"
 #include "assessment/tissue_metrics.h"
@@ -67,6 +68,7 @@ void add_what_needs_no_track(const sim::Recording& recording, std::vector<Metric
     add_suture_metrics(recording, found);
     add_bite_metrics(recording, found);
     add_closure_metrics(recording, found);
+    add_patch_metrics(recording, found);
 }
 
 /// In the order of the definitions; what is not finite is not known.

@@ -14,8 +14,8 @@
 
 namespace placode::assessment {
 
-/// 12: a slit under pressure. 13: how hard a thread was drawn.
-inline constexpr int kMetricSetVersion = 13;
+/// 12: a slit under pressure. 13: how hard a thread was drawn. 14: how a patch lies.
+inline constexpr int kMetricSetVersion = 14;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

@@ -37,6 +37,8 @@ constexpr Prefix kPrefixes[]{
     {"idle", Theme::kTime},
     {"target_", Theme::kPrecision},
     {"trace_", Theme::kPrecision},
+    {"patch_grasps", Theme::kTissue},
+    {"patch_", Theme::kPrecision},
     {"out_of_view", Theme::kPrecision},
     {"steps_", Theme::kSteps},
 };

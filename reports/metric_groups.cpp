@@ -70,6 +70,7 @@ constexpr Rule kRules[]{
     {"target_", MetricGroup::kPractice},
     {"trace_", MetricGroup::kPractice},
     {"traction_held", MetricGroup::kPractice},
+    {"patch_", MetricGroup::kPractice},
     {"bite_", MetricGroup::kSuture},
     {"slit_", MetricGroup::kSuture},
     {"bites_", MetricGroup::kSuture},

@@ -267,6 +267,21 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Smallest angle between the needle's way and the surface at rest where it "
                       "went in, over the bites of a row."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Share of the placode's edge beyond which the patch reaches 5 mm or more, hands off."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "How far the patch reaches beyond the placode's edge, hands off: mean along "
+                      "the edge, where more than 5 mm counts as 5."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "How far the patch reaches beyond the placode's edge, hands off, where it "
+                      "reaches least; 0 where it does not cover the edge, 10 at most."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Share of the placode that the patch does not cover, hands off."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Share of the patch that lies on another layer of it, or stands or turns "
+                      "more than 60 degrees away from the rest of it, hands off."),
+    QT_TRANSLATE_NOOP("MetricDefinition", "Times that jaws took the patch."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that the needle slid or turned in the jaws."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that jaws took the needle after the first."),
     QT_TRANSLATE_NOOP("MetricDefinition",

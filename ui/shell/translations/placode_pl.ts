@@ -2638,6 +2638,30 @@
         <translation>Kąt igły, najbardziej płaski ścieg</translation>
     </message>
     <message>
+        <source>Edge overlapped by the patch</source>
+        <translation>Brzeg przykryty łatą z zakładem</translation>
+    </message>
+    <message>
+        <source>Overlap of the patch, mean</source>
+        <translation>Zakład łaty, średni</translation>
+    </message>
+    <message>
+        <source>Overlap of the patch, least</source>
+        <translation>Zakład łaty, najmniejszy</translation>
+    </message>
+    <message>
+        <source>Placode left open</source>
+        <translation>Odsłonięta część płytki</translation>
+    </message>
+    <message>
+        <source>Folds of the patch</source>
+        <translation>Fałdy łaty</translation>
+    </message>
+    <message>
+        <source>Grasps of the patch</source>
+        <translation>Chwyty łaty</translation>
+    </message>
+    <message>
         <source>Entries of the needle</source>
         <translation>Wkłucia igły</translation>
     </message>
@@ -3594,6 +3618,30 @@
     <message>
         <source>Times that jaws took the needle after the first.</source>
         <translation>Ile razy szczęki chwyciły igłę po pierwszym chwycie.</translation>
+    </message>
+    <message>
+        <source>Share of the placode's edge beyond which the patch reaches 5 mm or more, hands off.</source>
+        <translation>Część brzegu płytki, poza którą łata sięga o 5 mm lub więcej, bez narzędzi.</translation>
+    </message>
+    <message>
+        <source>How far the patch reaches beyond the placode's edge, hands off: mean along the edge, where more than 5 mm counts as 5.</source>
+        <translation>Jak daleko łata sięga poza brzeg płytki, bez narzędzi: średnia wzdłuż brzegu, gdzie więcej niż 5 mm liczy się jako 5.</translation>
+    </message>
+    <message>
+        <source>How far the patch reaches beyond the placode's edge, hands off, where it reaches least; 0 where it does not cover the edge, 10 at most.</source>
+        <translation>Jak daleko łata sięga poza brzeg płytki, bez narzędzi, tam, gdzie sięga najmniej; 0, gdzie nie przykrywa brzegu, najwyżej 10.</translation>
+    </message>
+    <message>
+        <source>Share of the placode that the patch does not cover, hands off.</source>
+        <translation>Część płytki, której łata nie przykrywa, bez narzędzi.</translation>
+    </message>
+    <message>
+        <source>Share of the patch that lies on another layer of it, or stands or turns more than 60 degrees away from the rest of it, hands off.</source>
+        <translation>Część łaty, która leży na innej jej warstwie, stoi lub odwraca się o więcej niż 60 stopni od reszty, bez narzędzi.</translation>
+    </message>
+    <message>
+        <source>Times that jaws took the patch.</source>
+        <translation>Ile razy szczęki chwyciły łatę.</translation>
     </message>
     <message>
         <source>Times that the needle slid or turned in the jaws.</source>
