@@ -4,6 +4,7 @@
 // Watches the steps of a practice task while it is done, from the same samples that the recording
 // keeps, and writes what it saw as events: the metrics of practice come from these.
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -26,6 +27,16 @@ struct NeedleSight {
                                     sim::Vec3::Zero()};  ///< Of the step, likewise.
 };
 
+/// How a patch lies (curriculum/patch_watch.h).
+struct PatchSight {
+    std::array<bool, sim::kMaxTools> held{};  ///< By which instrument.
+    double overlapped = 0;  ///< Share of the placode's edge that it overlaps as far as it shall.
+    double folded = 1;      ///< Share of it that lies in folds.
+    [[nodiscard]] bool free() const noexcept {
+        return std::find(held.begin(), held.end(), true) == held.end();
+    }
+};
+
 /// What is there to see in one sample.
 struct PracticeSight {
     const sim::Sample& sample;
@@ -34,7 +45,8 @@ struct PracticeSight {
     std::array<double, sim::kMaxTools> pull_n{};
     std::array<bool, sim::kMaxTools> engaged{};
     NeedleSight needle{};
-    double slit_gap_m = -1;  ///< Between the step's marks; -1 where there is no slit.
+    double slit_gap_m = -1;             ///< Between the step's marks; -1 where there is no slit.
+    const PatchSight* patch = nullptr;  ///< nullptr where there is none.
 };
 
 /// The target of a step at rest [m], in the plane: where the step says, or on the clock of the
@@ -86,6 +98,7 @@ class PracticeTracker {
     [[nodiscard]] bool did_bite(const PracticeSight& sight, int tool) noexcept;
     [[nodiscard]] bool eased_off(double slit_gap_m, double pull_n) noexcept;
     [[nodiscard]] bool did_draw(double slit_gap_m, double pull_n) noexcept;
+    [[nodiscard]] bool did_patch(const PatchSight* patch, size_t tool) noexcept;
     void close_bin(int tool, double time_s) noexcept;
     void close_traction(double time_s) noexcept;
 

@@ -22,6 +22,8 @@ constexpr int kBinsEnough = 69;          // of 72: the last ones meet the first
 constexpr double kTakenWithin = 0.15;    // of the needle's arc
 constexpr double kEasedShare = 0.5;      // of a pull that is enough: below it the hand gave way
 constexpr double kTractionReachM = 0.005;
+constexpr double kLaidShare = 0.95;  // of the placode's edge: a patch that overlaps so much is laid
+constexpr double kFlatShare = 0.02;  // of a patch: less than that in folds is flat
 constexpr double kAlongShaft =
     0.85;  // share of a motion that makes it one of depth: within 32 degrees
 
@@ -63,6 +65,11 @@ bool PracticeTracker::did(const PracticeSight& sight) noexcept {
             done = did_draw(sight.slit_gap_m, std::hypot(static_cast<double>(tool.force_n[0]),
                                                          static_cast<double>(tool.force_n[1]),
                                                          static_cast<double>(tool.force_n[2])));
+            break;
+        case PracticeKind::kPatchTake:
+        case PracticeKind::kPatchLay:
+        case PracticeKind::kPatchSpread:
+            done = did_patch(sight.patch, i);
             break;
         case PracticeKind::kRelease:
             done = !sight.holds[i];
@@ -243,6 +250,24 @@ bool PracticeTracker::eased_off(double slit_gap_m, double pull_n) noexcept {
     enough_s_ = shut && pull_n >= enough_n ? enough_s_ + dt_ : 0;
     open_ = open_ || enough_s_ >= step().hold_s;
     return open_ && pull_n < kEasedShare * enough_n;
+}
+
+/// Taken; laid, whether it is still held or not; and lying so, flat, when nobody holds it.
+bool PracticeTracker::did_patch(const PatchSight* patch, size_t tool) noexcept {
+    if (patch == nullptr) return true;  // nothing to lay
+    if (step().kind == PracticeKind::kPatchTake) {
+        progress_ = patch->held[tool] ? 1 : 0;
+        return patch->held[tool];
+    }
+    const double laid = std::clamp(patch->overlapped / kLaidShare, 0.0, 1.0);
+    if (step().kind == PracticeKind::kPatchLay) {
+        progress_ = laid;
+        return laid >= 1;
+    }
+    const bool lies = laid >= 1 && patch->folded <= kFlatShare && patch->free();
+    held_s_ = lies ? held_s_ + dt_ : 0;
+    progress_ = 0.5 * (laid + std::clamp(1 - patch->folded / 0.2, 0.0, 1.0));
+    return lies && held_s_ >= step().hold_s;
 }
 
 /// Shut for a while, under as much pull as the step wants: edges that only swing together come

@@ -9,6 +9,7 @@
 #include "curriculum/preset.h"
 #include "sim/cutting/attempt_progress.h"
 #include "sim/ledger/damage.h"
+#include "sim/step/patch_when_let_go.h"
 #include "sim/step/slit_when_let_go.h"
 
 namespace placode::curriculum {
@@ -111,6 +112,7 @@ void AttemptFrames::close(sim::State& state, AttemptBook& book) noexcept {
     try {
         for (const sim::Event& event : sim::reached_events(*scene_, state)) book.write(event);
         for (const sim::Event& event : sim::slit_when_let_go(*scene_, state)) book.write(event);
+        for (const sim::Event& event : sim::patch_when_let_go(*scene_, state)) book.write(event);
         for (const sim::Event& event : sim::closing_events(*scene_, state)) book.write(event);
     } catch (const std::exception&) {
         // Without memory for it gaps or thermal spread are not known; the attempt is.
@@ -141,6 +143,7 @@ std::vector<sim::Event> AttemptFrames::entries_if_closed(const sim::State& state
     add(warnings.end(state.time_s));
     add(sim::reached_events(*scene_, state));
     add(sim::slit_when_let_go(*scene_, state));
+    add(sim::patch_when_let_go(*scene_, state));
     add(sim::spread_events(*scene_, state));
     return all;
 }

@@ -46,6 +46,7 @@ std::unique_ptr<haptics::Servo> open_servo(const Task& task, uint64_t seed,
     config.window = options.window;
     config.frame_s = task.scene.solver.frame_s;
     config.practice = !task.steps.empty();
+    config.patch = lays_patch(task);
     config.station = haptics::Station::of_this_computer();
     return std::make_unique<haptics::Servo>(
         haptics::open_device(config), task.scene.tools,

@@ -31,7 +31,8 @@ OperatorSight::OperatorSight(const sim::Scene& scene)
       outline_(scene.resection.anchors.size(), Vec3::Zero()),
       outline_normal_(scene.resection.anchors.size(), Vec3::UnitZ()),
       grasp_place_(1, Vec3::Zero()),
-      grasp_normal_(1, Vec3::UnitZ()) {
+      grasp_normal_(1, Vec3::UnitZ()),
+      patch_(sim::patch_handles(scene)) {
     for (size_t t = 0; t < scene.marked.size(); ++t) {
         if (scene.marked[t]) marked_.push_back(static_cast<int32_t>(t));
     }
@@ -184,6 +185,9 @@ haptics::Perception OperatorSight::seen(const sim::State& state) const noexcept 
                                 piece.volume_m3 > kPieceShare * scene_.marked_volume_m3);
     }
     seen.pieces_out = state.pieces.out;
+    seen.patch = patch_.middle >= 0;
+    for (size_t i = 0; seen.patch && i < patch_.corner.size(); ++i)
+        seen.patch_corner_m[i] = position(state.body, patch_.corner[i]);
     const sim::Suturing& suturing = state.suturing;
     if (suturing.placed != 0) {
         seen.needle = true;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "haptics/device.h"
+#include "sim/contact/patch_cover.h"
 #include "sim/step/step.h"
 
 namespace placode::curriculum {
@@ -35,6 +36,7 @@ class OperatorSight {
     std::vector<int32_t> marked_;            // tets
     std::vector<int32_t> placode_vertices_;  // of the placode's tets
     std::array<double, sim::kMaxTools> placode_gap_m_{}, placode_metal_gap_m_{};
+    sim::PatchHandles patch_;
     double left_share_ = 1, held_share_ = 0;
     int drawn_through_ =
         0;  ///< Times that the needle had left a channel when last all of it was out.

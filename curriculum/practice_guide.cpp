@@ -57,10 +57,26 @@ std::optional<sim::ContourAnchor> exact_place(const sim::Scene& scene, const sim
     return std::nullopt;
 }
 
+/// Of a step with a patch: where to take it, or where its middle belongs and where it is.
+int find_patch_targets(const sim::Scene& scene, const sim::State& settled, sim::PracticeKind kind,
+                       std::array<sim::ContourAnchor, 2>& out) {
+    const sim::PatchHandles handles = sim::patch_handles(scene);
+    if (handles.rim < 0) return 0;
+    if (kind == sim::PracticeKind::kPatchTake) {
+        out[0] = at_vertex(handles.rim);
+        return 1;
+    }
+    const auto goal = nearest_vertex(scene, settled, sim::placode_middle(scene));
+    if (!goal) return 0;
+    out = {*goal, at_vertex(handles.middle)};
+    return 2;
+}
+
 /// Where the targets of a step are: they move with the tissue. A place on the clock of the contour
 /// is the nearest vertex, as recordings have it; one that the step names is meant exactly.
 int find_targets(const sim::Scene& scene, const sim::State& settled, const sim::PracticeStep& step,
                  std::array<sim::ContourAnchor, 2>& out) {
+    if (sim::is_patch_step(step.kind)) return find_patch_targets(scene, settled, step.kind, out);
     int count = 0;
     for (int t = 0; t < sim::targets_of(step.kind); ++t) {
         const Vec2 wanted = assessment::practice_target(step, scene.geometry, t == 1);
@@ -107,6 +123,10 @@ PracticeGuide::PracticeGuide(const std::vector<TaskStep>& steps, const sim::Scen
                                ? sim::nearest_station(scene, 0.5 * (marks[0] + marks[1]).head<2>())
                                : -1);
     }
+    for (const sim::PracticeStep& step : goals) {
+        if (step.kind != sim::PracticeKind::kPatchLay || patch_.there()) continue;
+        patch_ = PatchWatch(scene, step.distance_m);
+    }
     goal_.bites = tracker_->bites();
     goal_.count = tracker_->count();
     look(settled);
@@ -123,6 +143,8 @@ void PracticeGuide::look(const sim::State& state) noexcept {
     const auto now = [&](int32_t v) -> Vec3 {
         return to_vec(state.body.x[static_cast<size_t>(v)]);
     };
+    goal_.margin = false;
+    if (patch_.there() && goal_.step.kind != sim::PracticeKind::kTrace) patch_.show(goal_);
     const auto step = static_cast<size_t>(goal_.index);
     for (; goal_.targets < target_count_[step]; ++goal_.targets) {
         const auto t = static_cast<size_t>(goal_.targets);
@@ -155,7 +177,12 @@ std::span<const sim::Event> PracticeGuide::see(const sim::State& state,
     if (!tracker_) return {};
     look(state);
     assessment::PracticeSight sight{
-        sample, {goal_.target_m.data(), static_cast<size_t>(goal_.targets)}, {}, {}, {}, {}, -1};
+        sample, {goal_.target_m.data(), static_cast<size_t>(goal_.targets)}, {}, {}, {}, {}, -1,
+        nullptr};
+    if (patch_.there()) {
+        patch_.look(*scene_, state);
+        sight.patch = &patch_.sight();
+    }
     for (size_t i = 0; i < inputs.size(); ++i) {
         sight.holds[i] = state.grasps[i].count > 0;
         sight.pull_n[i] = state.grasps[i].force_n.norm();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "assessment/practice.h"
+#include "curriculum/patch_watch.h"
 #include "curriculum/task.h"
 #include "sim/step/step.h"
 
@@ -43,6 +44,7 @@ class PracticeGuide {
     std::vector<std::array<sim::Vec3, 2>> mark_m_;  // the same at rest
     double needle_arc_m_ = 1;
     const sim::Scene* scene_ = nullptr;
+    PatchWatch patch_;
     std::vector<int> station_;  // of a slit, between the marks of every step; -1 = none
     sim::PracticeGoal goal_;
 };

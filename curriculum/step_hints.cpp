@@ -187,6 +187,42 @@ constexpr std::array<ByDevice, sim::kPracticeKinds> kHints{{
        "Trzymaj lewy przycisk i ciągnij gałkę do siebie; powoli, gdy nić się napnie."},
       {"Keep it closed and draw the handle out; go slowly once you feel the thread.",
        "Trzymaj zamknięty i wysuwaj uchwyt; powoli, gdy poczujesz nić."}}},
+    // kPatchTake
+    {{{"Down with the wheel at the ring until the jaws touch, then hold the left button.",
+       "Kółkiem w dół przy pierścieniu, aż szczęki dotkną, potem przytrzymaj lewy przycisk."},
+      {"F at the ring until the jaws touch, then hold X.",
+       "F przy pierścieniu, aż szczęki dotkną, potem przytrzymaj X."},
+      {"Right trigger at the ring until the jaws touch, then hold A.",
+       "Prawy spust przy pierścieniu, aż szczęki dotkną, potem przytrzymaj A."},
+      {"Push the cap at the ring until the jaws touch, then hold the left button.",
+       "Popchnij gałkę przy pierścieniu, aż szczęki dotkną, potem przytrzymaj lewy przycisk."},
+      {"Push the handle in at the ring until the jaws touch, then close it.",
+       "Wsuń uchwyt przy pierścieniu, aż szczęki dotkną, potem go zamknij."}}},
+    // kPatchLay
+    {{{"Keep the left button down, lift a little with the wheel, draw it over with the mouse, "
+       "lower "
+       "it.",
+       "Trzymaj lewy przycisk, unieś trochę kółkiem, przeciągnij myszą na miejsce, opuść."},
+      {"Keep X down, lift a little with R, draw it over with W A S D, lower it with F.",
+       "Trzymaj X, unieś trochę klawiszem R, przeciągnij W A S D na miejsce, opuść klawiszem F."},
+      {"Keep A down, lift a little with the left trigger, draw it over with the left stick, lower "
+       "it.",
+       "Trzymaj A, unieś trochę lewym spustem, przeciągnij lewą gałką na miejsce, opuść."},
+      {"Keep the left button down, lift a little with the cap, draw it over sideways, lower it.",
+       "Trzymaj lewy przycisk, unieś trochę gałką, przeciągnij w bok na miejsce, opuść."},
+      {"Keep it closed, lift a little, draw it over its place, lower it.",
+       "Trzymaj zamknięty, unieś trochę, przeciągnij na miejsce, opuść."}}},
+    // kPatchSpread
+    {{{"Let go of the left button; where a fold is, take its rim again and draw it outwards.",
+       "Puść lewy przycisk; gdzie jest fałda, chwyć znów brzeg i pociągnij go na zewnątrz."},
+      {"Let go of X; where a fold is, take its rim again and draw it outwards.",
+       "Puść X; gdzie jest fałda, chwyć znów brzeg i pociągnij go na zewnątrz."},
+      {"Let go of A; where a fold is, take its rim again and draw it outwards.",
+       "Puść A; gdzie jest fałda, chwyć znów brzeg i pociągnij go na zewnątrz."},
+      {"Let go of the left button; where a fold is, take its rim again and draw it outwards.",
+       "Puść lewy przycisk; gdzie jest fałda, chwyć znów brzeg i pociągnij go na zewnątrz."},
+      {"Open the handle; where a fold is, take its rim again and draw it outwards.",
+       "Otwórz uchwyt; gdzie jest fałda, chwyć znów brzeg i pociągnij go na zewnątrz."}}},
 }};
 
 // The scope has devices of its own.

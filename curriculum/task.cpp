@@ -70,9 +70,10 @@ assessment::Rubric read_rubric(const Json& json, const std::string& origin) {
 constexpr std::string_view kHoldMark = "{hold_s}";
 
 constexpr std::array<const char*, sim::kPracticeKinds> kStepKinds{
-    "move",       "depth",       "turn",           "touch",      "cut",      "coag",
-    "grasp",      "release",     "trace",          "traction",   "withdraw", "needle_in",
-    "needle_out", "needle_take", "needle_through", "thread_draw"};
+    "move",        "depth",      "turn",       "touch",       "cut",
+    "coag",        "grasp",      "release",    "trace",       "traction",
+    "withdraw",    "needle_in",  "needle_out", "needle_take", "needle_through",
+    "thread_draw", "patch_take", "patch_lay",  "patch_spread"};
 
 /// "{hold_s}" in a step's text is the number that the step asks for: no text can promise another.
 void fill_hold(std::string& text, double hold_s, char decimal_sign) {
@@ -88,7 +89,8 @@ void read_places(const Json& json, const std::string& origin, const std::string&
                  sim::PracticeStep& goal) {
     if (!json.contains("places_m")) return;
     const Json& places = json["places_m"];
-    const auto wanted = static_cast<size_t>(sim::targets_of(goal.kind));
+    const auto wanted =
+        static_cast<size_t>(sim::is_patch_step(goal.kind) ? 0 : sim::targets_of(goal.kind));
     if (places.size() != wanted)
         throw DefinitionError(origin, pointer + "/places_m",
                               "found " + std::to_string(places.size()) + " places; expected " +
@@ -219,6 +221,11 @@ std::vector<TaskStep> steps_for(const Task& task, const std::string& device) {
             steps.push_back(step);
     }
     return steps;
+}
+
+bool lays_patch(const Task& task) noexcept {
+    return std::any_of(task.steps.begin(), task.steps.end(),
+                       [](const TaskStep& step) { return sim::is_patch_step(step.goal.kind); });
 }
 
 Task load_task(const std::string& id_or_file) {

@@ -56,6 +56,9 @@ inline constexpr double kLongestS = 3600;
 /// The steps that this device can do; scripts can do all. "script:expert" is the device "script".
 [[nodiscard]] std::vector<TaskStep> steps_for(const Task& task, const std::string& device);
 
+/// Whether steps with a patch are among those of a task.
+[[nodiscard]] bool lays_patch(const Task& task) noexcept;
+
 /// By id of a shipped task, or by path of a JSON file. Throws DefinitionError.
 [[nodiscard]] Task load_task(const std::string& id_or_file);
 /// Its title alone, without building the scene. Throws DefinitionError.

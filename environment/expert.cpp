@@ -21,6 +21,7 @@ Expert::Expert(const Environment& environment, const std::string& level, uint64_
     config.tools = task.scene.tools;
     config.frame_s = task.scene.solver.frame_s;
     config.practice = !task.steps.empty();
+    config.patch = curriculum::lays_patch(task);
     device_ = haptics::open_device(config);
     for (const auto& settings : haptics::default_trocars(config.tools, config.name))
         trocars_.emplace_back(config.tools[trocars_.size()], settings);

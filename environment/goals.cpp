@@ -60,6 +60,19 @@ void needle_goal(const haptics::Perception& seen, size_t tool, ToolGoals& goals)
     }
 }
 
+/// Of the patch: its middle to the placode's. It is drawn by what holds it.
+void patch_goal(const haptics::Perception& seen, size_t tool, ToolGoals& goals) {
+    const sim::PracticeGoal& practice = seen.practice;
+    const Vec3 wanted = practice.target_m[0], middle = practice.target_m[1];
+    if (seen.holds[tool]) {
+        goals.place_m[tool] = wanted;
+        goals.from_m[tool] = middle;
+    } else {
+        goals.place_m[tool] = middle;
+        goals.after_m[tool] = (wanted - middle).norm();
+    }
+}
+
 bool is_needle_step(sim::PracticeKind kind) {
     return kind == sim::PracticeKind::kNeedleIn || kind == sim::PracticeKind::kNeedleOut ||
            kind == sim::PracticeKind::kNeedleTake || kind == sim::PracticeKind::kNeedleThrough ||
@@ -70,8 +83,10 @@ bool is_needle_step(sim::PracticeKind kind) {
 void practice_goals(std::span<const sim::ToolSpec> tools, const haptics::Perception& seen,
                     std::span<const Vec3> tips, ToolGoals& goals) {
     const sim::PracticeGoal& practice = seen.practice;
-    goals.reached = practice.index * (sim::kTraceBins + 1) +
-                    std::count(practice.traced.begin(), practice.traced.end(), 1);
+    goals.reached = practice.index * (sim::kTraceBins + 1);
+    // What a patch overlaps may come and go while it is drawn.
+    if (!practice.margin)
+        goals.reached += std::count(practice.traced.begin(), practice.traced.end(), 1);
     // A needle that comes with the first frame brings its goal along.
     if (seen.needle) ++goals.reached;
     if (practice.index >= practice.count) return;
@@ -86,6 +101,8 @@ void practice_goals(std::span<const sim::ToolSpec> tools, const haptics::Percept
         } else if (tools[i].hand == practice.step.hand) {
             if (is_needle_step(kind))
                 needle_goal(seen, i, goals);
+            else if (practice.margin && practice.targets == 2)
+                patch_goal(seen, i, goals);
             else if (kind == sim::PracticeKind::kTrace)
                 goals.place_m[i] = nearest_untraced(seen, tips[i]);
             else if (practice.targets > 0)

@@ -97,6 +97,9 @@ struct Perception {
     sim::Pose X_WN;                               ///< Where it lies.
     double needle_arc_m = 0;                      ///< Point to swage along its half circle.
     int bites = 0, exits = 0, drawn_through = 0;  ///< Times that it went in, came out, left.
+    bool patch = false;                           ///< A patch is there.
+    std::array<Vec3, 4> patch_corner_m{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
+                                       Vec3::Zero()};  ///< Its corners, round it.
     sim::PracticeGoal practice;  ///< Steps of a practice task: what to do now, and where.
 };
 
@@ -109,6 +112,7 @@ struct DeviceConfig {
         nullptr;  ///< For mouse, keyboard and gamepad; may be null.
     double frame_s = 1e-3;
     bool practice = false;  ///< The task has steps (for scripts).
+    bool patch = false;     ///< Steps with a patch are among them.
     Station station;        ///< What this computer says about its devices.
     /// Clock of groups with a scheduler of their own [ns]; null: CLOCK_MONOTONIC. For tests.
     int64_t (*clock_ns)() noexcept = nullptr;

@@ -8,6 +8,7 @@
 
 #include "haptics/operators/lift_operator.h"
 #include "haptics/operators/operator_model.h"
+#include "haptics/operators/patch_operator.h"
 #include "haptics/operators/practice_operator.h"
 #include "haptics/operators/resection_operator.h"
 #include "haptics/operators/suture_operator.h"
@@ -56,6 +57,10 @@ std::unique_ptr<ScriptedOperator> open_operator(const DeviceConfig& config, Oper
         if (config.tools[i].kind == sim::ToolKind::kNeedleDriver)
             return std::make_unique<SutureOperator>(level, config.seed, i, config.tools[i],
                                                     homes_m[i]);
+    if (config.patch && tools.grasper >= 0) {
+        const auto grasper = static_cast<size_t>(tools.grasper);
+        return std::make_unique<PatchOperator>(level, config.seed, grasper, homes_m[grasper]);
+    }
     if (config.practice) {
         return std::make_unique<PracticeOperator>(level, config.seed, config.tools, homes_m);
     }

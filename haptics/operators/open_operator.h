@@ -3,7 +3,7 @@
 #pragma once
 // Which scripted operator a set of instruments asks for: a needle makes the ring, a grasper lifts,
 // a needle driver sutures, grasper and scissors resect, all three do the whole dissection; a task
-// with steps has its own.
+// with steps has its own, and one that lays a patch.
 
 #include <memory>
 #include <span>

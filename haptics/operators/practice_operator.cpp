@@ -320,7 +320,10 @@ void PracticeOperator::do_step(double dt_s) noexcept {
                 do_trace(w, dt_s);
                 break;
             case PracticeKind::kTraction:
-            case PracticeKind::kNeedleIn:  // sutures have an operator of their own
+            case PracticeKind::kPatchTake:  // a patch has an operator of its own
+            case PracticeKind::kPatchLay:
+            case PracticeKind::kPatchSpread:
+            case PracticeKind::kNeedleIn:  // and so have sutures
             case PracticeKind::kNeedleOut:
             case PracticeKind::kNeedleTake:
             case PracticeKind::kNeedleThrough:

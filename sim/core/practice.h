@@ -29,18 +29,21 @@ enum class PracticeKind : uint8_t {
     kNeedleOut,      ///< It comes out at the second mark.
     kNeedleTake,     ///< Jaws take it again.
     kNeedleThrough,  ///< All of the needle is drawn through.
-    kThreadDraw      ///< The thread is drawn until a slit is shut between the marks.
+    kThreadDraw,     ///< The thread is drawn until a slit is shut between the marks.
+    kPatchTake,      ///< Jaws take the patch.
+    kPatchLay,       ///< It lies so that it reaches `distance_m` beyond the placode's edge.
+    kPatchSpread     ///< Nobody holds it, it lies so, and flat, for `hold_s`.
 };
-inline constexpr int kPracticeKinds = 16;
+inline constexpr int kPracticeKinds = 19;
 inline constexpr int kMaxPracticeSteps = 24;
 inline constexpr int kTraceBins = 72;  ///< Of the planned contour, by arc length.
 
 struct PracticeStep {
     PracticeKind kind = PracticeKind::kMove;
     Hand hand = Hand::kRight;  ///< Who does it; traction needs both.
-    double distance_m = 0.02;  ///< Move, depth, withdraw.
+    double distance_m = 0.02;  ///< Move, depth, withdraw; overlap of a patch.
     double turn_rad = 1;       ///< Turn.
-    double hold_s = 0;         ///< Touch, cut, coag, traction.
+    double hold_s = 0;         ///< Touch, cut, coag, traction, patch that lies.
     double hour = 12;          ///< Target on the clock of the planned contour, 12 = cranial.
     double hour_left = 12;     ///< Traction: target of the left hand; needle: where it comes out.
     double outward_m = 0;      ///< Target this far outside the planned contour.
@@ -61,22 +64,37 @@ struct PracticeGoal {
     PracticeStep step;                                         ///< The present one.
     std::array<Vec3, 2> target_m{Vec3::Zero(), Vec3::Zero()};  ///< Where they lie now, in W.
     int targets = 0;
-    int bites = 0, bite = 0;                   ///< A needle's, in all; number of the present one.
-    double progress = 0;                       ///< Of the present step, 0..1.
-    std::array<uint8_t, kTraceBins> traced{};  ///< 1 = this stretch of the contour was followed.
+    int bites = 0, bite = 0;  ///< A needle's, in all; number of the present one.
+    double progress = 0;      ///< Of the present step, 0..1.
+    /// 1 = this stretch of the contour was followed; of a patch: at this point of the placode's
+    /// edge it reaches as far as it shall.
+    std::array<uint8_t, kTraceBins> traced{};
+    /// Of a patch: where its rim shall be at least, `distance_m` outside of the placode's edge.
+    std::array<std::array<float, 3>, kTraceBins> margin_m{};
+    bool margin = false;
 };
 
+/// Its targets are on the patch and the placode, and no places of the task's own.
+[[nodiscard]] constexpr bool is_patch_step(PracticeKind kind) noexcept {
+    return kind == PracticeKind::kPatchTake || kind == PracticeKind::kPatchLay ||
+           kind == PracticeKind::kPatchSpread;
+}
+
+/// Places that the picture shows for a step.
 [[nodiscard]] constexpr int targets_of(PracticeKind kind) noexcept {
     switch (kind) {
         case PracticeKind::kTouch:
         case PracticeKind::kCut:
         case PracticeKind::kCoag:
         case PracticeKind::kGrasp:
+        case PracticeKind::kPatchTake:
             return 1;
         case PracticeKind::kTraction:
         case PracticeKind::kNeedleIn:
         case PracticeKind::kNeedleOut:
         case PracticeKind::kThreadDraw:
+        case PracticeKind::kPatchLay:
+        case PracticeKind::kPatchSpread:
             return 2;
         default:
             return 0;

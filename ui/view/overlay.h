@@ -135,6 +135,8 @@ class Overlay {
     void anchor_watch(int tool);
     void targets();
     void suture_line();
+    void patch_margin();
+    void patch_goal();
     void exam_targets();
     double exam_steps(double y, double room);
     void target_text(int tool, const sim::Vec2& px, double radius, const sim::Vec3& away_mm,

@@ -71,7 +71,12 @@ void Overlay::goals() {
     const bool scope = goal.step.hand == Hand::kCamera;
     if (watch_.fresh()) anchor_watch(tool);
     if (snapshot_->tools[t].buried_m > 0) return;  // that comes first
+    if (goal.margin) patch_margin();
     switch (goal.step.kind) {
+        case PracticeKind::kPatchLay:
+        case PracticeKind::kPatchSpread:
+            patch_goal();
+            break;
         case PracticeKind::kMove:
             if (scope)
                 scope_marks();

@@ -33,7 +33,8 @@ void Overlay::tick(double x, double y) {
 std::string Overlay::amount_text() const {
     const StepAmount amount = step_amount(state_->practice.goal);
     if (amount.whole <= 0) return {};
-    if (state_->practice.goal.step.kind == PracticeKind::kTrace)
+    const PracticeKind kind = state_->practice.goal.step.kind;
+    if (kind == PracticeKind::kTrace || kind == PracticeKind::kPatchLay)
         return number(amount.done, amount.digits) + amount.unit;
     return number(amount.done, amount.digits) + " " + say("of") + " " +
            number(amount.whole, amount.digits) + amount.unit;

@@ -36,7 +36,8 @@ std::string_view pedal_words(haptics::HintDevice device, bool cut) {
 void Overlay::exam_targets() {
     if (!practising()) return;
     const PracticeGoal& goal = state_->practice.goal;
-    if (goal.index < goal.count && targets_of(goal.step.kind) > 0) targets();
+    const bool places = targets_of(goal.step.kind) > 0 && !is_patch_step(goal.step.kind);
+    if (goal.index < goal.count && places) targets();
 }
 
 void Overlay::targets() {
@@ -135,7 +136,7 @@ void Overlay::target_text(int tool, const Vec2& px, double radius, const Vec3& a
     if (wanted != 0 && seen.pedals != wanted)
         label(place, with_keys(say(pedal_words(state_->practice.device, cut))),
               cut ? kYellow : kBlue);
-    else if (step.kind == PracticeKind::kGrasp)
+    else if (step.kind == PracticeKind::kGrasp || step.kind == PracticeKind::kPatchTake)
         label(place, say("now close the jaws"), kGood);
     else if (const std::string amount = amount_text(); !amount.empty())
         label(place, amount, kText);

@@ -54,6 +54,12 @@ Symbols with_mouse(PracticeKind kind, bool scope) {
             return {left, {Thing::kMouseWheel, Act::kOut}};
         case PracticeKind::kNeedleTake:
             return {{Thing::kMouseLeft, Act::kRelease}, move, left};
+        case PracticeKind::kPatchTake:
+            return {down, left};
+        case PracticeKind::kPatchLay:
+            return {left, {Thing::kMouseWheel, Act::kOut}, move, down};
+        case PracticeKind::kPatchSpread:
+            return {{Thing::kMouseLeft, Act::kRelease}, left, move};
     }
     return {};
 }
@@ -99,6 +105,13 @@ Symbols with_keyboard(PracticeKind kind, bool scope) {
             return {key("X"), key("R")};
         case PracticeKind::kNeedleTake:
             return {key("X", false, Act::kRelease), key("X")};
+        case PracticeKind::kPatchTake:
+            return {key("F"), key("X")};
+        case PracticeKind::kPatchLay:
+            return {key("X"), key("R"), key("W"), key("A"), key("S"), key("D"), key("F")};
+        case PracticeKind::kPatchSpread:
+            return {
+                key("X", false, Act::kRelease), key("X"), key("W"), key("A"), key("S"), key("D")};
     }
     return {};
 }
@@ -138,6 +151,12 @@ Symbols with_gamepad(PracticeKind kind) {
             return {key("A"), key("LT")};
         case PracticeKind::kNeedleTake:
             return {key("A", false, Act::kRelease), stick, key("A")};
+        case PracticeKind::kPatchTake:
+            return {key("RT"), key("A")};
+        case PracticeKind::kPatchLay:
+            return {key("A"), key("LT"), stick, key("RT")};
+        case PracticeKind::kPatchSpread:
+            return {key("A", false, Act::kRelease), key("A"), stick};
     }
     return {};
 }
@@ -183,6 +202,15 @@ Symbols with_grip(PracticeKind kind, Thing grip, HintSymbol close) {
             return {close, {grip, Act::kTurn}};
         case PracticeKind::kThreadDraw:
             return {close, {grip, Act::kOut}};
+        case PracticeKind::kPatchTake:
+            return {in, close};
+        case PracticeKind::kPatchLay:
+            return {close, {grip, Act::kOut}, move, in};
+        case PracticeKind::kPatchSpread: {
+            HintSymbol open = close;
+            open.act = Act::kRelease;
+            return {open, close, move};
+        }
     }
     return {};
 }

@@ -51,6 +51,8 @@ StepAmount step_amount(const PracticeGoal& goal) {
         }
         case PracticeKind::kTrace:
             return {100 * share, 100, 0, " %"};
+        case PracticeKind::kPatchLay:
+            return {100 * share, 100, 0, " %"};
         case PracticeKind::kTouch:
         case PracticeKind::kCut:
         case PracticeKind::kCoag:

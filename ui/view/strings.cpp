@@ -28,6 +28,8 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"take the needle", "chwyć igłę"},
     {"draw the needle through", "przeciągnij igłę"},
     {"draw the thread until the edges meet", "ciągnij nić, aż brzegi się zetkną"},
+    {"smooth out the folds", "wygładź fałdy"},
+    {"as far as the line, all round", "aż do linii, dookoła"},
     {"needle in", "wkłucie"},
     {"needle out", "wykłucie"},
     {"Tab: back to the %1", "Tab: z powrotem %1"},
