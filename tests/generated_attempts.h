@@ -65,6 +65,7 @@ class AttemptMaker {
         kinds.clear();
         for (const curriculum::TaskStep& step : task.steps) kinds.push_back(step.goal.kind);
         if (is_row(kinds)) mark_bite(recording, 0, 0, 0);
+        if (task.scene.patch) lay_patch(recording, 0);
         return recording;
     }
 
@@ -76,6 +77,12 @@ class AttemptMaker {
         if (share > 0) put(recording, EventKind::kPieceOut, 20, 3e-9, share);
         put(recording, sim::EventKind::kTakenOut, 20, 3e-9 * share, share, 0, 0.006);
         practise(recording, share);
+        if (has_patch(recording)) {
+            std::erase_if(recording.events, is_of_patch);
+            lay_patch(recording, share);
+            if (share > 0)
+                put(recording, EventKind::kGrasped, 2, 3, 0.1, 0.004, 0, 0, sim::Tissue::kDura);
+        }
         const int grasps = static_cast<int>(std::lround(share * 3));
         for (int i = 0; i < grasps; ++i) {
             put(recording, EventKind::kGrasped, 1 + 9 * i, 6, 0.1, 0.004, 0.002, 0);
@@ -98,11 +105,12 @@ class AttemptMaker {
             &AttemptMaker::tear,          &AttemptMaker::press,        &AttemptMaker::waste_energy,
             &AttemptMaker::bury,          &AttemptMaker::stretch,      &AttemptMaker::jaws,
             &AttemptMaker::snip_skin,     &AttemptMaker::miss,         &AttemptMaker::cut_astray,
-            &AttemptMaker::dawdle,        &AttemptMaker::look_away,    &AttemptMaker::stitch};
+            &AttemptMaker::dawdle,        &AttemptMaker::look_away,    &AttemptMaker::stitch,
+            &AttemptMaker::shift_patch};
         (this->*kinds[which])(recording);
         sort(recording);
     }
-    static constexpr size_t kHarms = 15;
+    static constexpr size_t kHarms = 16;
 
     /// Some of what is asked, some harm.
     sim::Recording some(const curriculum::Task& task) {
@@ -212,6 +220,43 @@ class AttemptMaker {
             shut(recording, share);
         for (int bin = 0; bin < static_cast<int>(std::lround(share * sim::kTraceBins)); ++bin)
             put(recording, sim::EventKind::kTraced, 3 + 0.3 * bin, bin, 0.0001);
+    }
+
+    static bool is_of_patch(const Event& e) {
+        return e.kind == EventKind::kPatchEdge || e.kind == EventKind::kPatchFold;
+    }
+    static bool has_patch(const sim::Recording& recording) {
+        return std::any_of(recording.events.begin(), recording.events.end(), is_of_patch);
+    }
+    /// A patch that reaches up to 5 mm beyond the placode's edge; 0 = beside it. All events carry
+    /// the same time: their order is theirs.
+    static void lay_patch(sim::Recording& recording, double share) {
+        constexpr int kPoints = 72;
+        put(recording, EventKind::kPatchEdge, 30, kPoints, share > 0 ? 0 : 1);
+        for (int i = 0; i < kPoints; ++i) {
+            const double a = 2 * std::numbers::pi * i / kPoints;
+            put(recording, EventKind::kPatchEdge, 30, 0.005 * share, 0, kPlan * std::cos(a),
+                kPlan * std::sin(a))
+                .element = i;
+        }
+        put(recording, EventKind::kPatchFold, 30, 0, 3e-4);
+    }
+    /// It lies worse: drawn aside, off the placode, folded, or taken once more.
+    void shift_patch(sim::Recording& r) {
+        const int what = whole(0, 3);
+        const double less = number(0, 1), more = number(0, 1);
+        if (what == 3) {
+            put(r, EventKind::kGrasped, number(3, 28), 3, 0.1, 0.005, 0.001, 0, sim::Tissue::kDura);
+            if (!has_patch(r)) r.events.pop_back();
+            return;
+        }
+        for (Event& e : r.events) {
+            if (e.kind == EventKind::kPatchFold && what == 2)
+                e.value += static_cast<float>(more) * (e.value2 - e.value);
+            if (e.kind != EventKind::kPatchEdge || what == 2) continue;
+            if (e.element < 0 && what == 1) e.value2 += static_cast<float>(more) * (1 - e.value2);
+            if (e.element >= 0 && e.element % 3 == what) e.value *= static_cast<float>(less);
+        }
     }
 
     /// A slit of 20 stations, shut from one end on.
