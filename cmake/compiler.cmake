@@ -224,6 +224,9 @@ function(placode_ui_programs)
   qt_add_translations(placode_shell TS_FILES ui/shell/translations/placode_pl.ts RESOURCE_PREFIX /i18n
     SOURCES ${texts} INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR}
     LUPDATE_OPTIONS -locations none -no-obsolete -tr-function-alias ${markers})
+  add_test(NAME translations_test COMMAND ${CMAKE_COMMAND} -DLUPDATE=$<TARGET_FILE:Qt6::lupdate>
+    -DTS=${PROJECT_SOURCE_DIR}/ui/shell/translations/placode_pl.ts -DCOPY=${CMAKE_CURRENT_BINARY_DIR}/placode_pl_found.ts
+    -DROOT=${PROJECT_SOURCE_DIR} "-DTEXTS=${texts}" -DMARKERS=${markers} -P ${PROJECT_SOURCE_DIR}/cmake/check_translations.cmake)
   # English is the source language: its file holds singular and plural of counted nouns (%n) only.
   # Apart from the other: lupdate would fill it with every string.
   set(english_ts ${PROJECT_SOURCE_DIR}/ui/shell/translations/placode_en.ts)

@@ -51,6 +51,9 @@ namespace {
     QT_TRANSLATE_NOOP("Deviation", "once"),
     QT_TRANSLATE_NOOP("Deviation", "twice"),
     QT_TRANSLATE_NOOP("Deviation", "%1 times"),
+    QT_TRANSLATE_NOOP("Deviation", "left after %1"),
+    QT_TRANSLATE_NOOP("Deviation", "nothing was done"),
+    QT_TRANSLATE_NOOP("Deviation", "Tissue or generator was tuned"),
     QT_TRANSLATE_NOOP("Deviation", "tissue or generator was tuned"),
     QT_TRANSLATE_NOOP("Deviation", "the force device did not work as it must"),
     QT_TRANSLATE_NOOP("Deviation", "the computer was too slow"),
@@ -63,7 +66,13 @@ namespace {
     QT_TRANSLATE_NOOP("Deviation", "Practice, not verified: it cannot be scored (%1)"),
     QT_TRANSLATE_NOOP("Deviation", "Practice, not verified: attempt %1 is the same recording"),
     QT_TRANSLATE_NOOP("Deviation", "Practice, not verified: simulated again it differs (%1)"),
-    QT_TRANSLATE_NOOP("Deviation", "Practice, not verified: the signature is in doubt (%1)"),
+    QT_TRANSLATE_NOOP("Deviation",
+                      "Practice, not verified: no computer signed the recording, or it was "
+                      "changed"),
+    QT_TRANSLATE_NOOP("Deviation",
+                      "Practice, not verified: the computer %1 recorded it, which no "
+                      "administrator has vouched for"),
+    QT_TRANSLATE_NOOP("Deviation", "Practice, not verified: operated by %1"),
     QT_TRANSLATE_NOOP("Deviation", "Practice, not verified: nothing was recorded"),
     QT_TRANSLATE_NOOP("Deviation",
                       "Practice, not verified: it was begun for another person, exam or proctor"),
@@ -94,6 +103,9 @@ namespace {
     QT_TRANSLATE_NOOP("Deviation", "Another device"),
     QT_TRANSLATE_NOOP("Deviation", "Step skipped"),
     QT_TRANSLATE_NOOP("Deviation", "Note"),
+    QT_TRANSLATE_NOOP("Deviation", "Nothing was done"),
+    QT_TRANSLATE_NOOP("Deviation",
+                      "Nothing was done in %1; the attempt is kept and no analysis uses it."),
 };
 
 }  // namespace

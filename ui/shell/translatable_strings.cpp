@@ -359,6 +359,14 @@ namespace {
     QT_TRANSLATE_NOOP("Ledger", "Resting on one spot with energy on"),
 };
 
+// What fills the places of a reason (reports/words.cpp).
+[[maybe_unused]] const char* const kReasonWords[] = {
+    QT_TRANSLATE_NOOP("Reason", "once"),
+    QT_TRANSLATE_NOOP("Reason", "twice"),
+    QT_TRANSLATE_NOOP("Reason", "%1 times"),
+    QT_TRANSLATE_NOOP("Reason", " at %1 o'clock"),
+};
+
 [[maybe_unused]] const char* const kThemes[] = {
     QT_TRANSLATE_NOOP("Theme", "Sparing the placode"),
     QT_TRANSLATE_NOOP("Theme", "The incision"),

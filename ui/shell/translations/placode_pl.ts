@@ -178,13 +178,6 @@
     </message>
 </context>
 <context>
-    <name>MainWindow</name>
-    <message>
-        <source>Use this computer's own store</source>
-        <translation>Użyj bazy tego komputera</translation>
-    </message>
-</context>
-<context>
     <name>ServerSetupPage</name>
     <message>
         <source>The centre's server</source>
@@ -1473,10 +1466,6 @@
         <translation>Zakończenie zadania</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translation>Enter</translation>
-    </message>
-    <message>
         <source>Move the tip left, right, up, down in the picture</source>
         <translation>Ruch końcówki w lewo, prawo, górę, dół obrazu</translation>
     </message>
@@ -1547,10 +1536,6 @@
     <message>
         <source>hold Space on the keyboard</source>
         <translation>przytrzymaj spację na klawiaturze</translation>
-    </message>
-    <message>
-        <source>Start, or Enter on the keyboard</source>
-        <translation>Start albo Enter na klawiaturze</translation>
     </message>
     <message>
         <source>wheel away from you / towards you (half a millimetre; with Shift 2 mm)</source>
@@ -3695,26 +3680,6 @@
         <source>Stretches of the planned contour without a point that is cut.</source>
         <translation>Odcinki planowanej linii bez przeciętego punktu.</translation>
     </message>
-    <message>
-        <source>Share of the planned contour that is cut to the target depth within 1 mm.</source>
-        <translation>Część planowanej linii, która jest przecięta na docelową głębokość w odległości do 1 mm.</translation>
-    </message>
-    <message>
-        <source>Longest uncut stretch of the planned contour.</source>
-        <translation>Najdłuższy nieprzecięty odcinek planowanej linii.</translation>
-    </message>
-    <message>
-        <source>Length of the incision whose centre is more than 0.5 mm off the plan.</source>
-        <translation>Długość nacięcia, którego środek leży ponad 0,5 mm od planu.</translation>
-    </message>
-    <message>
-        <source>Share of the marked volume that has left the field.</source>
-        <translation>Część oznaczonej objętości, która opuściła pole.</translation>
-    </message>
-    <message>
-        <source>Uncut stretches of the planned contour.</source>
-        <translation>Nieprzecięte odcinki planowanej linii.</translation>
-    </message>
 </context>
 <context>
     <name>ParticipantPage</name>
@@ -4078,16 +4043,8 @@
         <translation>Dodawanie osoby</translation>
     </message>
     <message>
-        <source>A person needs a name and a log-in name.</source>
-        <translation>Osoba musi mieć nazwę i login.</translation>
-    </message>
-    <message>
         <source>A person needs at least one role.</source>
         <translation>Osoba musi mieć co najmniej jedną rolę.</translation>
-    </message>
-    <message>
-        <source>%1 was added.</source>
-        <translation>Dodano: %1.</translation>
     </message>
     <message>
         <source>Setting the password</source>
@@ -4155,10 +4112,6 @@
     <message>
         <source>%1 is enrolled. &quot;Continue&quot; hands the screen over.</source>
         <translation>%1: uczestnik włączony. „Kontynuuj” przekazuje ekran.</translation>
-    </message>
-    <message>
-        <source>Study</source>
-        <translation>Badanie</translation>
     </message>
     <message>
         <source>Publish version %1</source>
@@ -4540,14 +4493,6 @@
     <message>
         <source>Belongs to %1.</source>
         <translation>Należy do: %1.</translation>
-    </message>
-    <message>
-        <source>The recording is damaged and cannot be scored.</source>
-        <translation>Nagranie jest uszkodzone i nie można go ocenić.</translation>
-    </message>
-    <message>
-        <source>A part of the recording is damaged; what is whole can be saved.</source>
-        <translation>Część nagrania jest uszkodzona; to, co całe, można zapisać.</translation>
     </message>
     <message>
         <source>Nobody knows whose it is. Save it for</source>
@@ -5612,10 +5557,6 @@
         <translation>Zamknie się samo po %1.</translation>
     </message>
     <message>
-        <source>Device</source>
-        <translation>Urządzenie</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>Rozpocznij</translation>
     </message>
@@ -5793,10 +5734,6 @@
     <message>
         <source>Start the attempt</source>
         <translation>Rozpocznij próbę</translation>
-    </message>
-    <message>
-        <source>A window with the fetoscope's view opens. Time limit %1.</source>
-        <translation>Otworzy się okno z obrazem fetoskopu. Limit czasu %1.</translation>
     </message>
     <message>
         <source>Controls</source>
@@ -6152,24 +6089,12 @@
         <translation>Rozpoczynanie odtwarzania</translation>
     </message>
     <message>
-        <source>The replay ended with a problem.</source>
-        <translation>Odtwarzanie zakończyło się problemem.</translation>
-    </message>
-    <message>
-        <source>The recording and its score are untouched.</source>
-        <translation>Nagranie i wynik pozostały bez zmian.</translation>
-    </message>
-    <message>
         <source>Go on</source>
         <translation>Dalej</translation>
     </message>
     <message>
         <source>Pause</source>
         <translation>Pauza</translation>
-    </message>
-    <message>
-        <source>The attempt is simulated again exactly, in the simulator's window.</source>
-        <translation>Próba jest dokładnie symulowana ponownie w oknie symulatora.</translation>
     </message>
     <message>
         <source>Simulating to %1; going back means beginning again.</source>
@@ -6227,80 +6152,12 @@
         <translation>Zmieniono Twoje role. Zaloguj się ponownie, aby pracować z nowymi.</translation>
     </message>
     <message>
-        <source>%1 did not work.</source>
-        <translation>%1: nie udało się.</translation>
-    </message>
-    <message>
-        <source>The store is locked by another program.</source>
-        <translation>Baza jest zablokowana przez inny program.</translation>
-    </message>
-    <message>
-        <source>Close the other program, or wait and try again.</source>
-        <translation>Zamknij tamten program albo poczekaj i spróbuj ponownie.</translation>
-    </message>
-    <message>
-        <source>A file is damaged and was left as it is.</source>
-        <translation>Plik jest uszkodzony i został bez zmian.</translation>
-    </message>
-    <message>
-        <source>Restore a backup; nothing has been overwritten.</source>
-        <translation>Przywróć kopię; niczego nie nadpisano.</translation>
-    </message>
-    <message>
-        <source>This file was written by a newer Placode.</source>
-        <translation>Ten plik zapisała nowsza wersja Placode.</translation>
-    </message>
-    <message>
-        <source>Update Placode on this machine.</source>
-        <translation>Zaktualizuj Placode na tym komputerze.</translation>
-    </message>
-    <message>
-        <source>The store cannot be reached.</source>
-        <translation>Baza jest nieosiągalna.</translation>
-    </message>
-    <message>
-        <source>Check the path or the connection, then try again.</source>
-        <translation>Sprawdź ścieżkę lub połączenie i spróbuj ponownie.</translation>
-    </message>
-    <message>
-        <source>This name is already taken.</source>
-        <translation>Ta nazwa jest już zajęta.</translation>
-    </message>
-    <message>
-        <source>Choose another one.</source>
-        <translation>Wybierz inną.</translation>
-    </message>
-    <message>
-        <source>A definition file cannot be used.</source>
-        <translation>Nie można użyć pliku definicji.</translation>
-    </message>
-    <message>
-        <source>Correct the file at the place named, then try again.</source>
-        <translation>Popraw plik we wskazanym miejscu i spróbuj ponownie.</translation>
-    </message>
-    <message>
-        <source>The device cannot be used.</source>
-        <translation>Nie można użyć urządzenia.</translation>
-    </message>
-    <message>
-        <source>Choose another device, or connect it and try again.</source>
-        <translation>Wybierz inne urządzenie albo podłącz je i spróbuj ponownie.</translation>
-    </message>
-    <message>
-        <source>The simulator could not be started.</source>
-        <translation>Nie udało się uruchomić symulatora.</translation>
-    </message>
-    <message>
         <source>Opening the store</source>
         <translation>Otwieranie bazy</translation>
     </message>
     <message>
         <source>This</source>
         <translation>To</translation>
-    </message>
-    <message>
-        <source>This was refused.</source>
-        <translation>Odmówiono.</translation>
     </message>
 </context>
 <context>
@@ -6401,10 +6258,6 @@
         <translation>Placode nie może otworzyć swojej bazy.</translation>
     </message>
     <message>
-        <source>Work in progress</source>
-        <translation>Trwa praca</translation>
-    </message>
-    <message>
         <source>Pages</source>
         <translation>Strony</translation>
     </message>
@@ -6489,24 +6342,8 @@
         <translation>Spróbuj ponownie</translation>
     </message>
     <message>
-        <source>The attempt could not be started.</source>
-        <translation>Nie udało się rozpocząć próby.</translation>
-    </message>
-    <message>
-        <source>Choose another device or try again.</source>
-        <translation>Wybierz inne urządzenie albo spróbuj ponownie.</translation>
-    </message>
-    <message>
         <source>Scoring and saving the attempt</source>
         <translation>Ocena i zapis próby</translation>
-    </message>
-    <message>
-        <source>The attempt ended before anything was recorded.</source>
-        <translation>Próba skończyła się, zanim cokolwiek nagrano.</translation>
-    </message>
-    <message>
-        <source>Try again.</source>
-        <translation>Spróbuj ponownie.</translation>
     </message>
     <message>
         <source>Your attempt was saved.</source>
@@ -6515,10 +6352,6 @@
     <message>
         <source>Open the result</source>
         <translation>Otwórz wynik</translation>
-    </message>
-    <message>
-        <source>The simulator ended unexpectedly.</source>
-        <translation>Symulator zakończył się nieoczekiwanie.</translation>
     </message>
     <message>
         <source>Looking for unfinished attempts</source>
@@ -6551,10 +6384,6 @@
     <message>
         <source>Close</source>
         <translation>Zamknij</translation>
-    </message>
-    <message>
-        <source>What was recorded is kept and can be saved as interrupted.</source>
-        <translation>To, co nagrano, jest zachowane i można to zapisać jako przerwane.</translation>
     </message>
     <message>
         <source>Go on with the study</source>
@@ -6643,6 +6472,10 @@
     <message>
         <source>The chapter of the manual on this page (F1)</source>
         <translation>Rozdział podręcznika o tej stronie (F1)</translation>
+    </message>
+    <message>
+        <source>Use this computer&apos;s own store</source>
+        <translation>Użyj bazy tego komputera</translation>
     </message>
 </context>
 <context>
@@ -6834,10 +6667,6 @@
         <translation>To jest niebieski</translation>
     </message>
     <message>
-        <source>No pedals were found under /dev/input/by-id.</source>
-        <translation>W /dev/input/by-id nie znaleziono pedałów.</translation>
-    </message>
-    <message>
         <source>Press a pedal…</source>
         <translation>Naciśnij pedał…</translation>
     </message>
@@ -6868,26 +6697,6 @@
     <message>
         <source>The pedal was saved for this computer.</source>
         <translation>Pedał zapisano dla tego komputera.</translation>
-    </message>
-    <message>
-        <source>Needs its driver, spacenavd: sudo apt install spacenavd, then switch it on.</source>
-        <translation>Potrzebny sterownik spacenavd: sudo apt install spacenavd, potem włącz urządzenie.</translation>
-    </message>
-    <message>
-        <source>Needs OpenHaptics and the Touch driver of 3D Systems.</source>
-        <translation>Potrzebne OpenHaptics i sterownik Touch firmy 3D Systems.</translation>
-    </message>
-    <message>
-        <source>Needs the Haply Inverse service, running.</source>
-        <translation>Potrzebna działająca usługa Haply Inverse.</translation>
-    </message>
-    <message>
-        <source>Needs to be plugged in and switched on, and a user of the group dialout.</source>
-        <translation>Musi być podłączone i włączone, a użytkownik należeć do grupy dialout.</translation>
-    </message>
-    <message>
-        <source>Needs the libraries of the Force Dimension SDK.</source>
-        <translation>Potrzebne biblioteki Force Dimension SDK.</translation>
     </message>
     <message>
         <source>The list of devices could not be read.</source>
@@ -8678,14 +8487,6 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Both are simulated again exactly, each in a window of its own; camera, speed, pause and jumps on either time line act on both.</source>
         <translation>Obie są dokładnie symulowane od nowa, każda w swoim oknie; kamera, prędkość, pauza i skoki na każdej z osi czasu działają na obie.</translation>
-    </message>
-    <message>
-        <source>A replay ended with a problem.</source>
-        <translation>Odtwarzanie zakończyło się problemem.</translation>
-    </message>
-    <message>
-        <source>The recording and its score are untouched.</source>
-        <translation>Nagranie i wynik pozostały nienaruszone.</translation>
     </message>
     <message>
         <source>Starting the replays</source>
