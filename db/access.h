@@ -4,10 +4,10 @@
 // Who may do what: decided here, once, for shell and command line alike.
 
 #include "db/records.h"
+#include "db/said.h"
 
 namespace placode::db {
 
-class Said;
 class Store;
 
 enum class Action : uint8_t {

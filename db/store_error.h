@@ -8,9 +8,13 @@
 #include <stdexcept>
 #include <string>
 
+namespace placode::sim {
+class Said;
+}
+
 namespace placode::db {
 
-class Said;
+using sim::Said;
 
 /// Operation, place and way out, e.g. `open sqlite:/x/placode.db: database is locked by another
 /// program; close it, or wait and try again`.

@@ -134,10 +134,15 @@ QString with_spoken_sign(QString number) {
     return spoken_here ? number.replace('.', spoken_here->decimalPoint()) : number;
 }
 
-QString said_words(const db::Said& said) {
+QString said_part(const db::Said& said) {
     const char* code = spoken().language() == QLocale::Polish ? "pl" : "en";
-    QString words = QString::fromStdString(
-        said.in(code, [](const char* sentence) { return db::Said::tr(sentence).toStdString(); }));
+    return QString::fromStdString(said.in(code, [](const char* sentence) {
+        return translated(db::Said::kContext, sentence).toStdString();
+    }));
+}
+
+QString said_words(const db::Said& said) {
+    QString words = said_part(said);
     if (words.isEmpty()) return words;
     // "the login is taken; choose another one" goes on a line; alone it is a sentence.
     words[0] = words[0].toUpper();

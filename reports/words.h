@@ -38,6 +38,8 @@ class Speaking {
 
 /// What the store says to people, as a sentence in the program's language.
 [[nodiscard]] QString said_words(const db::Said& said);
+/// As it stands within a sentence: without capital and full stop.
+[[nodiscard]] QString said_part(const db::Said& said);
 
 /// A word of the figures, translated.
 [[nodiscard]] QString figure_word(const char* english);

@@ -1,29 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/said.h"
+#include "sim/core/said.h"
 
-#include "curriculum/task.h"
-#include "db/store_error.h"
+namespace placode::sim {
 
-namespace placode::db {
-
-Said Said::that(Sentence sentence) { return listed(sentence.english); }
-
-Said Said::listed(const char* english) {
+Said Said::listed(const std::string& english) {
     Said said;
     said.sentence_ = english;
     return said;
 }
 
-Said Said::as_is(const std::string& text) {
+Said Said::as_is(const std::string& text) { return as_is(text, {}); }
+
+Said Said::as_is(const std::string& text, const std::string& polish) {
     Said said;
     said.words_ = text;
-    return said;
-}
-
-Said Said::as_is(const curriculum::LocalText& text) {
-    Said said = as_is(text.en);
-    said.words_pl_ = text.pl;
+    said.words_pl_ = polish;
     return said;
 }
 
@@ -35,10 +27,6 @@ Said Said::with(const Said& part) const {
 
 std::string Said::english() const {
     return in("en", [](const char* sentence) { return std::string(sentence); });
-}
-
-std::string Said::words_in(const std::string& code) const {
-    return curriculum::LocalText{words_, words_pl_}.in(code);
 }
 
 // One pass: a place in what is filled in stays.
@@ -56,9 +44,4 @@ std::string Said::filled(const std::string& sentence, const std::vector<std::str
     return out;
 }
 
-StoreError::StoreError(Kind kind, const std::string& before, const Said& said)
-    : std::runtime_error(before + said.english()),
-      kind_(kind),
-      said_(std::make_shared<const Said>(said)) {}
-
-}  // namespace placode::db
+}  // namespace placode::sim
