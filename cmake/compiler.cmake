@@ -217,9 +217,10 @@ function(placode_ui_programs)
   # The .ts must exist at configure time: otherwise Qt 6.4 makes an empty one and everything stays
   # English. It is committed; `ninja placode_shell_lupdate` brings it up to date.
   # Without line numbers, or every change of a page would touch thousands of its lines.
-  # What store and portal say stands in their sources: `Said::that("...")`, `Web::phrase("...")`, and with a number
+  # What recordings, devices, store and portal say stands in their sources: `Said::that("...")`, `Web::phrase("...")`, and with a number
   # `Web::count_phrase("%n attempt(s)", n)`. Of the other folders' words there are lists (translatable_strings.cpp).
-  file(GLOB texts CONFIGURE_DEPENDS ui/shell/*.cpp ui/shell/*.h db/*.cpp db/*.h ui/web/*.cpp ui/web/*.h)
+  file(GLOB texts CONFIGURE_DEPENDS ui/shell/*.cpp ui/shell/*.h haptics/*.cpp assessment/*.cpp curriculum/*.cpp db/*.cpp
+    db/*.h ui/web/*.cpp ui/web/*.h)
   set(markers tr+=that,tr+=phrase,tr+=plain_phrase,QT_TR_N_NOOP+=count_phrase,QT_TR_N_NOOP+=plain_count_phrase)
   qt_add_translations(placode_shell TS_FILES ui/shell/translations/placode_pl.ts RESOURCE_PREFIX /i18n
     SOURCES ${texts} INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR}

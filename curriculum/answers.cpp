@@ -15,30 +15,37 @@ namespace placode::curriculum {
 
 namespace {
 
-std::optional<std::string> check_number(const std::string& answer, double low, double high,
-                                        bool whole) {
+using sim::Said;
+using Problem = std::optional<Said>;
+
+Problem check_number(const std::string& answer, double low, double high, bool whole) {
     const std::optional<double> value = answer_number(answer);
-    if (!value) return "\"" + answer + "\" is not a number";
-    if (whole && *value != std::floor(*value)) return answer + " is not a whole number";
-    if (*value < low) return answer + " is below " + sim::shortest_text(low);
-    if (*value > high) return answer + " is above " + sim::shortest_text(high);
+    if (!value) return Said::that("\"%1\" is not a number").with(answer);
+    if (whole && *value != std::floor(*value))
+        return Said::that("%1 is not a whole number").with(answer);
+    if (*value < low)
+        return Said::that("%1 is below %2").with(answer).with(sim::shortest_text(low));
+    if (*value > high)
+        return Said::that("%1 is above %2").with(answer).with(sim::shortest_text(high));
     return std::nullopt;
 }
 
-std::optional<std::string> check_multiple(const std::string& answer, size_t choices) {
+Problem check_multiple(const std::string& answer, size_t choices) {
     const auto indices = answer_indices(answer);
-    if (!indices) return "\"" + answer + "\" is not a list of choices such as \"0;2\"";
+    if (!indices) return Said::that("\"%1\" is not a list of choices such as \"0;2\"").with(answer);
     for (size_t i = 0; i < indices->size(); ++i) {
         if ((*indices)[i] >= static_cast<int>(choices))
-            return std::to_string((*indices)[i]) + " is above " + std::to_string(choices - 1);
+            return Said::that("%1 is above %2")
+                .with((*indices)[i])
+                .with(static_cast<int64_t>(choices) - 1);
         if (i > 0 && (*indices)[i] <= (*indices)[i - 1])
-            return "\"" + answer + "\" names its choices twice or not in order";
+            return Said::that("\"%1\" names its choices twice or not in order").with(answer);
     }
     return std::nullopt;
 }
 
-std::optional<std::string> check_date(const std::string& answer) {
-    const std::string problem = "\"" + answer + "\" is not a date such as 2026-11-21";
+Problem check_date(const std::string& answer) {
+    const Said problem = Said::that("\"%1\" is not a date such as 2026-11-21").with(answer);
     if (answer.size() != 10 || answer[4] != '-' || answer[7] != '-') return problem;
     int parts[3] = {};
     constexpr size_t kBegin[3] = {0, 5, 8}, kLength[3] = {4, 2, 2};
@@ -50,7 +57,7 @@ std::optional<std::string> check_date(const std::string& answer) {
     const std::chrono::year_month_day date{std::chrono::year(parts[0]),
                                            std::chrono::month(static_cast<unsigned>(parts[1])),
                                            std::chrono::day(static_cast<unsigned>(parts[2]))};
-    return date.ok() ? std::nullopt : std::optional(problem);
+    return date.ok() ? std::nullopt : Problem(problem);
 }
 
 double lowest(const QuestionnaireItem& item) {
@@ -62,10 +69,10 @@ double highest(const QuestionnaireItem& item) {
 
 }  // namespace
 
-std::optional<std::string> check_answer(const QuestionnaireItem& item, const std::string& answer) {
+std::optional<Said> check_answer(const QuestionnaireItem& item, const std::string& answer) {
     if (answer == kNotApplicable && item.kind != ItemKind::kText)
         return item.not_applicable ? std::nullopt
-                                   : std::optional<std::string>("\"NA\" is not offered here");
+                                   : Problem(Said::that("\"NA\" is not offered here"));
     switch (item.kind) {
         case ItemKind::kLikert:
             return check_number(answer, item.scale_min, item.scale_max, true);
@@ -138,8 +145,7 @@ bool is_shown(const Questionnaire& questionnaire, const QuestionnaireItem& item,
                                   [&](int index) { return is_wanted(std::to_string(index)); });
 }
 
-std::optional<std::string> check_answers(const Questionnaire& questionnaire,
-                                         const Answers& answers) {
+std::optional<Said> check_answers(const Questionnaire& questionnaire, const Answers& answers) {
     std::set<std::string> known;
     for (const QuestionnaireItem& item : questionnaire.items) {
         known.insert(item.id);
@@ -147,20 +153,23 @@ std::optional<std::string> check_answers(const Questionnaire& questionnaire,
         const bool given = found != answers.end() && !found->second.empty();
         if (!is_shown(questionnaire, item, answers)) {
             if (given)
-                return "item " + item.id + " is answered, but hidden by the answer to item " +
-                       item.show_if->item;
+                return Said::that("item %1 is answered, but hidden by the answer to item %2")
+                    .with(item.id)
+                    .with(item.show_if->item);
             continue;
         }
         if (!given) {
-            if (item.required) return "item " + item.id + " needs an answer";
+            if (item.required) return Said::that("item %1 needs an answer").with(item.id);
             continue;
         }
         if (const auto problem = check_answer(item, found->second))
-            return "item " + item.id + ": " + *problem;
+            return Said::that("item %1: %2").with(item.id).with(*problem);
     }
     for (const auto& [id, unused] : answers) {
         if (!known.contains(id))
-            return "item " + id + " is not part of questionnaire " + questionnaire.id;
+            return Said::that("item %1 is not part of questionnaire %2")
+                .with(id)
+                .with(questionnaire.id);
     }
     return std::nullopt;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "curriculum/task.h"
+#include "sim/core/said.h"
 
 namespace placode::curriculum {
 
@@ -96,13 +97,12 @@ using Answers = std::map<std::string, std::string>;
                                         const Answers* answers = nullptr);
 
 /// What is wrong with one answer that is given ("190 is above 120"), or nothing.
-[[nodiscard]] std::optional<std::string> check_answer(const QuestionnaireItem& item,
-                                                      const std::string& answer);
+[[nodiscard]] std::optional<sim::Said> check_answer(const QuestionnaireItem& item,
+                                                    const std::string& answer);
 
-/// First problem in plain words ("item C needs an answer", "item age: 190 is above 120"), or
-/// nothing.
-[[nodiscard]] std::optional<std::string> check_answers(const Questionnaire& questionnaire,
-                                                       const Answers& answers);
+/// First problem ("item C needs an answer", "item age: 190 is above 120"), or nothing.
+[[nodiscard]] std::optional<sim::Said> check_answers(const Questionnaire& questionnaire,
+                                                     const Answers& answers);
 
 /// The whole answer as a number, '.' decimals in every locale; nothing for "NA" and text.
 [[nodiscard]] std::optional<double> answer_number(const std::string& answer);

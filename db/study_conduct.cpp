@@ -176,7 +176,7 @@ int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionna
     if (const auto problem = curriculum::check_answers(questionnaire, answers.answers))
         throw StoreError(StoreError::Kind::kRefused,
                          "answers of " + answers.participant + " to " + questionnaire.id + ": ",
-                         Said::as_is(*problem));
+                         *problem);
     publish_on_first_use(store, questionnaire);
     const int64_t id = store.studies().save_answers(answers);
     const auto protocol = published_study(store, answers.study_id);

@@ -47,7 +47,7 @@ void StudyRecords::need_valid(const AnswerRecord& answers) {
     const auto questionnaire = curriculum::load_questionnaire_text(
         published->json, "questionnaire " + answers.questionnaire_id);
     if (const auto problem = curriculum::check_answers(questionnaire, answers.answers))
-        connection_.fail(Kind::kRefused, Said::as_is(*problem + "; nothing was changed"));
+        connection_.fail(Kind::kRefused, Said::that("%1; nothing was changed").with(*problem));
 }
 
 void StudyRecords::correct_answers(int64_t answer_id, int entry, const curriculum::Answers& changes,

@@ -26,7 +26,8 @@ Questionnaire sample() {
 }
 
 std::string problem_of(const Answers& answers) {
-    return check_answers(sample(), answers).value_or("");
+    const auto problem = check_answers(sample(), answers);
+    return problem ? problem->english() : "";
 }
 
 TEST(Answers, EveryKindIsChecked) {

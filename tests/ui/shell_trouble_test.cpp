@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <new>
 
+#include "curriculum/questionnaire.h"
 #include "db/access.h"
 #include "haptics/station.h"
 #include "reports/report.h"
@@ -61,6 +62,7 @@ class ShellTroubleTest : public QObject {
     void endingsOfTheSimulatorHaveUserWords();
     void everyRefusalOfTheStoreIsMarked();
     void everyRefusalOfTheStoreIsInTheCatalogue();
+    void anAnswerThatDoesNotFitIsToldInWords();
     void whoMayNotIsToldWhoCan();
     void damagedLeftoversAreToldInWords();
 
@@ -267,6 +269,23 @@ void ShellTroubleTest::everyRefusalOfTheStoreIsInTheCatalogue() {
                  qPrintable(words));
     }
     shell_->context().setLanguage("en");
+}
+
+void ShellTroubleTest::anAnswerThatDoesNotFitIsToldInWords() {
+    const auto sus = curriculum::load_questionnaire("sus");
+    curriculum::Answers answers;
+    for (const auto& item : sus.items) answers[item.id] = "4";
+    const auto said = [&] {
+        return reports::said_words(curriculum::check_answers(sus, answers).value_or(db::Said()));
+    };
+    shell_->context().setLanguage("pl");
+    QCOMPARE(said(), QString());
+    answers["sus01"] = "9";
+    QCOMPARE(said(), QString::fromUtf8("Pytanie sus01: 9 to więcej niż 5."));
+    answers.erase("sus01");
+    QCOMPARE(said(), QString::fromUtf8("Pytanie sus01 wymaga odpowiedzi."));
+    shell_->context().setLanguage("en");
+    QCOMPARE(said(), QString("Item sus01 needs an answer."));
 }
 
 void ShellTroubleTest::whoMayNotIsToldWhoCan() {

@@ -67,7 +67,7 @@ db::AnswerRecord row_answers(const curriculum::Questionnaire& questionnaire,
         if (questionnaire.item(head[c]) != nullptr && !row[c].empty())
             record.answers[head[c]] = reports::as_typed(row[c]);
     if (const auto problem = curriculum::check_answers(questionnaire, record.answers))
-        throw InputError(place + ": " + *problem);
+        throw InputError(place + ": " + problem->english());
     return record;
 }
 

@@ -12,6 +12,7 @@
 
 #include "db/study_conduct.h"
 #include "db/study_records.h"
+#include "reports/words.h"
 #include "ui/shell/answer_fields.h"
 #include "ui/shell/answers_given.h"
 #include "ui/shell/pages.h"
@@ -246,7 +247,7 @@ class ParticipantPage : public Page {
         if (first == nullptr) {
             // What only the whole shows, e.g. an answer to a hidden question.
             if (const auto problem = curriculum::check_answers(questionnaire_, given_.all()))
-                problems << qstr(*problem);
+                problems << reports::said_words(*problem);
         }
         message_->setText(problems.join("\n"));
         message_->setVisible(!problems.isEmpty());

@@ -10569,6 +10569,58 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>only an embedded store is restored from a file; use pg_restore on the server</source>
         <translation>z pliku przywraca się tylko bazę, która sama jest plikiem; na serwerze użyj pg_restore</translation>
     </message>
+    <message>
+        <source>%1; nothing was changed</source>
+        <translation>%1; niczego nie zmieniono</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>„%1” nie jest liczbą</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 nie jest liczbą całkowitą</translation>
+    </message>
+    <message>
+        <source>%1 is below %2</source>
+        <translation>%1 to mniej niż %2</translation>
+    </message>
+    <message>
+        <source>%1 is above %2</source>
+        <translation>%1 to więcej niż %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a list of choices such as &quot;0;2&quot;</source>
+        <translation>„%1” nie jest listą wyborów taką jak „0;2”</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names its choices twice or not in order</source>
+        <translation>„%1” podaje wybory dwukrotnie lub nie po kolei</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a date such as 2026-11-21</source>
+        <translation>„%1” nie jest datą taką jak 2026-11-21</translation>
+    </message>
+    <message>
+        <source>&quot;NA&quot; is not offered here</source>
+        <translation>odpowiedź „NA” nie jest tu możliwa</translation>
+    </message>
+    <message>
+        <source>item %1 is answered, but hidden by the answer to item %2</source>
+        <translation>na pytanie %1 podano odpowiedź, ale ukrywa je odpowiedź na pytanie %2</translation>
+    </message>
+    <message>
+        <source>item %1 needs an answer</source>
+        <translation>pytanie %1 wymaga odpowiedzi</translation>
+    </message>
+    <message>
+        <source>item %1: %2</source>
+        <translation>pytanie %1: %2</translation>
+    </message>
+    <message>
+        <source>item %1 is not part of questionnaire %2</source>
+        <translation>pytanie %1 nie należy do kwestionariusza %2</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::Details</name>
