@@ -12,12 +12,19 @@ namespace placode::assessment {
 namespace {
 
 using sim::Recording;
+using sim::Said;
+using Problem = std::optional<Said>;
 
 constexpr double kLargestM = 10;           ///< No point of a field or hand lies farther off [m].
 constexpr float kLargestForceN = 1e6F;     ///< Far beyond what any solver step gives [N].
 constexpr double kMostDroppedShare = 0.5;  ///< With more lost, nothing is left to judge.
 
 std::string number(double value) { return sim::rounded_text(value, 6); }
+
+template <class List>
+int64_t count(const List& list) {
+    return static_cast<int64_t>(list.size());
+}
 
 bool within(double value, double low, double high) { return value >= low && value <= high; }
 
@@ -32,49 +39,52 @@ bool whole_time(const Recording& r) {
            r.end.reason != sim::EndReason::kRunning && r.end.dropped == 0;
 }
 
-std::string head_problem(const Recording& r) {
+Problem head_problem(const Recording& r) {
     const sim::RecordingHeader& head = r.header;
     if (!within(head.frame_s, 1e-5, 0.1))
-        return "frame_s is " + number(head.frame_s) + ", expected 0.00001 to 0.1";
+        return Said::that("frame_s is %1, expected 0.00001 to 0.1").with(number(head.frame_s));
     if (!within(head.sample_s, 1e-3, 1))
-        return "sample_s is " + number(head.sample_s) + ", expected 0.001 to 1";
+        return Said::that("sample_s is %1, expected 0.001 to 1").with(number(head.sample_s));
     if (head.tools.empty() || head.tools.size() > sim::kMaxTools)
-        return "it has " + std::to_string(head.tools.size()) + " tools, expected 1 to " +
-               std::to_string(sim::kMaxTools);
+        return Said::that("it has %1 tools, expected 1 to %2")
+            .with(count(head.tools))
+            .with(sim::kMaxTools);
     if (!within(r.end.duration_s, 0, kLongestRecordingS))
-        return "duration_s is " + number(r.end.duration_s) + ", expected 0 to " +
-               number(kLongestRecordingS);
+        return Said::that("duration_s is %1, expected 0 to %2")
+            .with(number(r.end.duration_s))
+            .with(number(kLongestRecordingS));
     const auto frames = static_cast<double>(r.inputs.size());
     if (r.end.dropped < 0 || static_cast<double>(r.end.dropped) > kMostDroppedShare * frames)
-        return std::to_string(r.end.dropped) + " entries are lost, of " +
-               std::to_string(r.inputs.size()) + " inputs";
+        return Said::that("%1 entries are lost, of %2 inputs")
+            .with(r.end.dropped)
+            .with(count(r.inputs));
     // Times are sums of frames: what rounding gives grows with their number.
     const double recorded_s = frames * head.frame_s;
     if (whole_time(r) && std::abs(recorded_s - r.end.duration_s) > head.frame_s + 1e-6 * frames)
-        return "its inputs last " + number(recorded_s) + " s, its end says " +
-               number(r.end.duration_s) + " s";
+        return Said::that("its inputs last %1 s, its end says %2 s")
+            .with(number(recorded_s))
+            .with(number(r.end.duration_s));
     return {};
 }
 
-std::string line_problem(const std::vector<sim::Vec3>& line, const char* name) {
+Problem line_problem(const std::vector<sim::Vec3>& line, const char* name) {
     if (line.size() < 3)
-        return std::string(name) + " has " + std::to_string(line.size()) +
-               " points, expected 3 or more";
+        return Said::that("%1 has %2 points, expected 3 or more").with(name).with(count(line));
     for (const sim::Vec3& point : line)
         if (!all_within(std::array{point[0], point[1], point[2]}, kLargestM))
-            return std::string(name) + " has a point that lies nowhere";
+            return Said::that("%1 has a point that lies nowhere").with(name);
     return {};
 }
 
-std::string field_problem(const sim::FieldGeometry& field) {
+Problem field_problem(const sim::FieldGeometry& field) {
     for (const auto& [line, name] : {std::pair{&field.planned_contour, "planned_contour_m"},
                                      std::pair{&field.placode_edge, "placode_edge_m"},
                                      {&field.skin_edge, "skin_edge_m"}})
-        if (std::string problem = line_problem(*line, name); !problem.empty()) return problem;
+        if (Problem problem = line_problem(*line, name)) return problem;
     if (!within(field.target_depth_m, 0, kLargestM))
-        return "target_depth_m is " + number(field.target_depth_m);
+        return Said::that("target_depth_m is %1").with(number(field.target_depth_m));
     if (!within(field.placode_volume_m3, 1e-15, 1))
-        return "placode_volume_m3 is " + number(field.placode_volume_m3);
+        return Said::that("placode_volume_m3 is %1").with(number(field.placode_volume_m3));
     return {};
 }
 
@@ -83,96 +93,109 @@ bool hand_is_somewhere(const sim::ToolInput& tool) {
            all_within(std::array{tool.jaw_rad}, 10);
 }
 
-std::string input_problem(const Recording& r) {
+Problem input_problem(const Recording& r) {
     const auto tools = static_cast<int32_t>(r.header.tools.size());
     int64_t before = -1;
     for (const sim::Input& input : r.inputs) {
-        // An hour has millions of them: words are made for the one that is wrong.
-        const auto wrong = [&](const std::string& what) {
-            return "the input of frame " + std::to_string(input.frame) + " " + what;
-        };
         if (input.frame <= before || (r.end.dropped == 0 && input.frame != before + 1))
-            return wrong("follows that of frame " + std::to_string(before));
+            return Said::that("the input of frame %1 follows that of frame %2")
+                .with(input.frame)
+                .with(before);
         before = input.frame;
         if (input.tool_count != tools)
-            return wrong("is of " + std::to_string(input.tool_count) + " tools, expected " +
-                         std::to_string(tools));
+            return Said::that("the input of frame %1 is of %2 tools, expected %3")
+                .with(input.frame)
+                .with(input.tool_count)
+                .with(tools);
         if (input.substeps < 1 || input.substeps > 1000)
-            return wrong("has " + std::to_string(input.substeps) + " substeps");
+            return Said::that("the input of frame %1 has %2 substeps")
+                .with(input.frame)
+                .with(input.substeps);
         const std::span hands(input.tools, r.header.tools.size());
         if (!std::all_of(hands.begin(), hands.end(), hand_is_somewhere))
-            return wrong("has a hand that lies nowhere");
+            return Said::that("the input of frame %1 has a hand that lies nowhere")
+                .with(input.frame);
     }
     return {};
 }
 
-std::string sample_values(const sim::Sample& sample, size_t tools) {
+Problem sample_values(const sim::Sample& sample, size_t tools) {
     for (const sim::ToolSample& tool : std::span(sample.tools, tools)) {
-        if (!all_within(tool.tip_m, kLargestM)) return "has a tip that lies nowhere";
-        if (!all_within(tool.orientation, 2)) return "has a tool that points nowhere";
-        if (!all_within(tool.force_n, kLargestForceN)) return "has a force that is no number";
+        if (!all_within(tool.tip_m, kLargestM))
+            return Said::that("sample %1 has a tip that lies nowhere");
+        if (!all_within(tool.orientation, 2))
+            return Said::that("sample %1 has a tool that points nowhere");
+        if (!all_within(tool.force_n, kLargestForceN))
+            return Said::that("sample %1 has a force that is no number");
         if (!all_within(std::array{tool.jaw_rad, tool.power_w}, 1e6))
-            return "has a jaw or a power that is no number";
-        if (!std::isfinite(tool.tip_gap_m)) return "has a distance that is no number";
+            return Said::that("sample %1 has a jaw or a power that is no number");
+        if (!std::isfinite(tool.tip_gap_m))
+            return Said::that("sample %1 has a distance that is no number");
     }
     if (!within(sample.placode_peak_c, -50, 5000) || !(sample.placode_peak_cem43_min >= 0) ||
         !(sample.placode_burned_m3 >= 0) || !std::isfinite(sample.placode_burned_m3))
-        return "has a temperature, dose or volume that cannot be";
-    if (!within(sample.cut_fraction, 0, 1 + 1e-6)) return "has a share that was cut beyond 0 to 1";
+        return Said::that("sample %1 has a temperature, dose or volume that cannot be");
+    if (!within(sample.cut_fraction, 0, 1 + 1e-6))
+        return Said::that("sample %1 has a share that was cut beyond 0 to 1");
     return {};
 }
 
-std::string sample_problem(const Recording& r) {
+Problem sample_problem(const Recording& r) {
     double before_s = 0;
-    size_t at = 0;
+    int64_t at = 0;
     for (const sim::Sample& sample : r.samples) {
-        const auto name = [&] { return "sample " + std::to_string(at); };
         if (!std::isfinite(sample.time_s) || !(sample.time_s > before_s))
-            return name() + " is at " + number(sample.time_s) + " s, the one before it at " +
-                   number(before_s) + " s";
+            return Said::that("sample %1 is at %2 s, the one before it at %3 s")
+                .with(at)
+                .with(number(sample.time_s))
+                .with(number(before_s));
         before_s = sample.time_s;
-        if (const std::string bad = sample_values(sample, r.header.tools.size()); !bad.empty())
-            return name() + " " + bad;
+        if (const Problem bad = sample_values(sample, r.header.tools.size())) return bad->with(at);
         ++at;
     }
     const double step_s = r.header.sample_s, end_s = r.end.duration_s;
     if (before_s > end_s + step_s)
-        return "its samples go on to " + number(before_s) + " s, its end says " + number(end_s) +
-               " s";
+        return Said::that("its samples go on to %1 s, its end says %2 s")
+            .with(number(before_s))
+            .with(number(end_s));
     const auto expected = static_cast<int64_t>(std::floor(end_s / step_s));
     const auto found = static_cast<int64_t>(r.samples.size());
     if (whole_time(r) && (found < expected - 1 || found > expected + 1))
-        return std::to_string(found) + " samples for " + number(end_s) + " s, expected " +
-               std::to_string(expected);
+        return Said::that("%1 samples for %2 s, expected %3")
+            .with(found)
+            .with(number(end_s))
+            .with(expected);
     return {};
 }
 
-std::string event_problem(const Recording& r) {
+Problem event_problem(const Recording& r) {
     const sim::Event* last_hash = nullptr;
     for (size_t i = 0; i < r.events.size(); ++i) {
         const sim::Event& event = r.events[i];
-        const auto name = [&] { return "event " + std::to_string(i); };
+        const auto at = static_cast<int64_t>(i);
         if (!within(event.time_s, 0, r.end.duration_s + 1))
-            return name() + " is at " + number(event.time_s) + " s of " + number(r.end.duration_s) +
-                   " s";
+            return Said::that("event %1 is at %2 s of %3 s")
+                .with(at)
+                .with(number(event.time_s))
+                .with(number(r.end.duration_s));
         if (!std::isfinite(event.value) || !std::isfinite(event.value2) ||
             !all_within(event.rest_position_m, kLargestM))
-            return name() + " has a value that is no number";
+            return Said::that("event %1 has a value that is no number").with(at);
         if (event.kind == sim::EventKind::kStateHash) last_hash = &event;
     }
     // The attempt's last event is the hash that the end repeats.
     if (whole_time(r) && last_hash != nullptr && last_hash->hash != r.end.final_hash)
-        return "final_hash is not the hash of its last state";
+        return Said::that("final_hash is not the hash of its last state");
     return {};
 }
 
 }  // namespace
 
-std::string unsound(const Recording& recording) {
+std::optional<Said> unsound(const Recording& recording) {
     for (const auto& problem :
          {head_problem, +[](const Recording& r) { return field_problem(r.header.geometry); },
           input_problem, sample_problem, event_problem})
-        if (std::string found = problem(recording); !found.empty()) return found;
+        if (Problem found = problem(recording)) return found;
     return {};
 }
 

@@ -96,8 +96,9 @@ std::map<Attempt, fs::path> recordings_of(const fs::path& folder) {
 
 Json attempt_json(const Protocol& protocol, const Attempt& attempt, const fs::path& file) {
     const sim::Recording recording = db::read_recording_file(file.string());
-    if (const std::string problem = assessment::unsound(recording); !problem.empty())
-        throw BatchError(Kind::kBadInput, file.string() + ": cannot be scored: " + problem);
+    if (const auto problem = assessment::unsound(recording))
+        throw BatchError(Kind::kBadInput,
+                         file.string() + ": cannot be scored: " + problem->english());
     const curriculum::Task task = protocol_task(protocol, attempt.first);
     const auto judged = environment::judge_finished(task.rubric, recording);
     return {{"task", attempt.first},

@@ -115,8 +115,8 @@ class Check {
             curriculum::load_task_text(head.task_json, name).json !=
                 curriculum::load_task_text(task.json, task.id).json)
             return says(name, "is of another task, scene or seed than the protocol's");
-        if (const std::string problem = assessment::unsound(recording); !problem.empty())
-            return says(name, problem);
+        if (const auto problem = assessment::unsound(recording))
+            return says(name, problem->english());
         if (recording.end.duration_s > wanted.budget_s + 1e-6)
             says(name, "is longer than the budget");
         if (const int64_t frame = too_fast(recording); frame >= 0)
@@ -143,7 +143,7 @@ class Check {
         for (int64_t frame = 0; again.step(); ++frame)
             if (frame % 50 == 0 && !progress_(name)) throw Stopped{};
         if (const auto verdict = again.verdict(); !verdict.identical)
-            says(name, "simulated again it differs: " + verdict.difference);
+            says(name, "simulated again it differs: " + verdict.difference.english());
     }
 
     /// Sums over attempts that were checked above.

@@ -105,8 +105,8 @@ Json Worker::rescore(const Json& item) {
         result["problem"] = "is of another task than " + judge->id;
         return result;
     }
-    if (const std::string problem = assessment::unsound(recording); !problem.empty()) {
-        result["problem"] = "cannot be scored: " + problem;
+    if (const auto problem = assessment::unsound(recording)) {
+        result["problem"] = "cannot be scored: " + problem->english();
         return result;
     }
     assessment::Rubric rubric = judge->rubric;
@@ -136,8 +136,8 @@ Json Worker::replay(const Json& item) {
                 {"recorded_by_this_build", recording.header.build == curriculum::this_build()},
                 {"frames", recording.inputs.size()},
                 {"recorded_hash", hash_text(recording.end.final_hash)}};
-    if (const std::string problem = assessment::unsound(recording); !problem.empty()) {
-        result["problem"] = "cannot be simulated: " + problem;
+    if (const auto problem = assessment::unsound(recording)) {
+        result["problem"] = "cannot be simulated: " + problem->english();
         return result;
     }
     curriculum::ReplayCheck check(recording, own, manifest_.options.at("threads").get<int>());
@@ -145,7 +145,7 @@ Json Worker::replay(const Json& item) {
         if (frame % kFramesBetweenQuestions == 0) check_stop();
     const curriculum::ReplayVerdict verdict = check.verdict();
     result["replay"] = verdict.identical ? "identical" : "differs";
-    if (!verdict.identical) result["difference"] = verdict.difference;
+    if (!verdict.identical) result["difference"] = verdict.difference.english();
     return result;
 }
 

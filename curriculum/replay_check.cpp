@@ -3,6 +3,7 @@
 #include "curriculum/replay_check.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "curriculum/attempt_frames.h"
 #include "curriculum/replay.h"
@@ -13,6 +14,7 @@ namespace {
 
 using sim::Event;
 using sim::EventKind;
+using sim::Said;
 
 /// What only the clock, the window or a panel made: no replay gives it again.
 bool of_the_clock(EventKind kind) {
@@ -62,8 +64,6 @@ bool same(const sim::ToolSpec& a, const sim::ToolSpec& b) {
            a.jaw_force_n == b.jaw_force_n && a.jaw_friction == b.jaw_friction;
 }
 
-std::string at(double time_s) { return " at " + sim::fixed_text(time_s, 3) + " s"; }
-
 }  // namespace
 
 /// What the attempt writes down again, held against what it wrote down then.
@@ -79,35 +79,37 @@ struct ReplayCheck::Impl final : AttemptBook {
         look_at_head();
     }
 
-    void differs(const std::string& what, double time_s) noexcept {
-        if (difference.empty()) difference = what + at(time_s);
+    void differs(const Said& what, double time_s) noexcept {
+        if (!difference)
+            difference = Said::that("%1 at %2 s").with(what).with(sim::fixed_text(time_s, 3));
     }
 
     void look_at_head() {
         const sim::RecordingHeader& head = recording.header;
         const sim::Scene& scene = replay.scene();
-        if (recording.end.dropped != 0) differs("entries that were lost", 0);
+        if (recording.end.dropped != 0) differs(Said::that("entries that were lost"), 0);
         if (head.frame_s != scene.body.spec().solver.frame_s ||
             head.sample_s != sim::RecordingHeader{}.sample_s)
-            differs("frame or sample time", 0);
-        if (!same(head.geometry, scene.geometry)) differs("the field", 0);
+            differs(Said::that("frame or sample time"), 0);
+        if (!same(head.geometry, scene.geometry)) differs(Said::that("the field"), 0);
         if (head.tools.size() != tools ||
             !std::equal(head.tools.begin(), head.tools.end(), scene.tools.begin(),
                         [](const auto& a, const auto& b) { return same(a, b); }))
-            differs("the instruments", 0);
+            differs(Said::that("the instruments"), 0);
     }
 
     void write(const sim::Input&) noexcept override {}  // what is simulated
     void write(const Event& event) noexcept override {
         if (of_the_clock(event.kind)) return;
         if (next_event >= events.size() || !same(*events[next_event], event))
-            differs("event \"" + std::string(sim::event_name(event.kind)) + "\"", event.time_s);
+            differs(Said::that("event \"%1\"").with(std::string(sim::event_name(event.kind))),
+                    event.time_s);
         ++next_event;
     }
     void write(const sim::Sample& sample) noexcept override {
         if (next_sample >= recording.samples.size() ||
             !same(recording.samples[next_sample], sample, tools))
-            differs("a sample", sample.time_s);
+            differs(Said::that("a sample"), sample.time_s);
         ++next_sample;
     }
 
@@ -121,11 +123,12 @@ struct ReplayCheck::Impl final : AttemptBook {
     void compare_end() {
         const ReplayResult states = replay.result();
         if (!states.identical) {
-            differs("state", std::max(0.0, states.first_difference_s));
+            differs(Said::that("state"), std::max(0.0, states.first_difference_s));
             return;
         }
         const double time_s = replay.state().time_s;
-        if (next_sample != recording.samples.size()) differs("the number of samples", time_s);
+        if (next_sample != recording.samples.size())
+            differs(Said::that("the number of samples"), time_s);
         if (recording.end.reason != sim::EndReason::kInterrupted) {
             frames.close(replay.last_state(), *this);
             // That this is its hash the replay has just shown.
@@ -134,9 +137,9 @@ struct ReplayCheck::Impl final : AttemptBook {
             hash.kind = EventKind::kStateHash;
             hash.hash = recording.end.final_hash;
             write(hash);
-            if (recording.end.duration_s != time_s) differs("the duration", time_s);
+            if (recording.end.duration_s != time_s) differs(Said::that("the duration"), time_s);
         }
-        if (next_event != events.size()) differs("the number of events", time_s);
+        if (next_event != events.size()) differs(Said::that("the number of events"), time_s);
     }
 
     const sim::Recording& recording;
@@ -145,7 +148,7 @@ struct ReplayCheck::Impl final : AttemptBook {
     size_t tools;
     std::vector<const Event*> events;
     size_t next_event = 0, next_sample = 0;
-    std::string difference;
+    std::optional<Said> difference;
     bool ended = false;
 };
 
@@ -154,9 +157,9 @@ ReplayCheck::ReplayCheck(const sim::Recording& recording, const Task& published,
 ReplayCheck::~ReplayCheck() = default;
 
 bool ReplayCheck::step() {
-    if (!impl_->difference.empty() || !impl_->replay.step()) return false;
+    if (impl_->difference || !impl_->replay.step()) return false;
     impl_->compare_frame();
-    return impl_->difference.empty();
+    return !impl_->difference;
 }
 
 double ReplayCheck::share() const {
@@ -166,9 +169,9 @@ double ReplayCheck::share() const {
 }
 
 ReplayVerdict ReplayCheck::verdict() {
-    if (!impl_->ended && impl_->difference.empty()) impl_->compare_end();
+    if (!impl_->ended && !impl_->difference) impl_->compare_end();
     impl_->ended = true;
-    return {impl_->difference.empty(), impl_->difference};
+    return {!impl_->difference, impl_->difference.value_or(Said())};
 }
 
 ReplayVerdict check_replay(const sim::Recording& recording, const Task& published, int threads) {

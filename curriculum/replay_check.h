@@ -6,16 +6,16 @@
 // sample was changed or an event left out, and those are what is scored.
 
 #include <memory>
-#include <string>
 
 #include "curriculum/task.h"
+#include "sim/core/said.h"
 #include "sim/step/recording.h"
 
 namespace placode::curriculum {
 
 struct ReplayVerdict {
     bool identical = false;
-    std::string difference;  ///< What differs first and when; empty = nothing does.
+    sim::Said difference;  ///< What differs first and when; nothing is said where nothing does.
 };
 
 /// One recording, frame by frame: whoever calls step() may stop at any frame. Any one thread.

@@ -33,19 +33,23 @@ std::vector<VoidReason> void_reasons(const std::vector<sim::Event>& events) {
     return tuned;
 }
 
+std::vector<VoidReason> why_void(const AttemptRecord& attempt) {
+    return void_reasons(attempt.void_reason, attempt.void_meaning);
+}
+
 bool counts(const AttemptRecord& attempt) noexcept {
     return was_tried(attempt) && attempt.void_reason.empty() &&
            attempt.replay != ReplayState::kWaiting && attempt.replay != ReplayState::kDiffers;
 }
 
 bool not_verified(const AttemptRecord& attempt) noexcept {
-    const auto reasons = void_reasons(attempt.void_reason);
+    const auto reasons = why_void(attempt);
     return std::any_of(reasons.begin(), reasons.end(),
                        [](const VoidReason& reason) { return is_doubt(reason.cause); });
 }
 
 bool machine_at_fault(const AttemptRecord& attempt) noexcept {
-    const auto reasons = void_reasons(attempt.void_reason);
+    const auto reasons = why_void(attempt);
     return was_tried(attempt) && !reasons.empty() &&
            std::none_of(reasons.begin(), reasons.end(), [](const VoidReason& reason) {
                return reason.cause == VoidCause::kTuned || is_doubt(reason.cause);

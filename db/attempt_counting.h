@@ -16,6 +16,9 @@ namespace placode::db {
 /// wall clock to keep to.
 [[nodiscard]] std::vector<VoidReason> void_reasons(const std::vector<sim::Event>& events);
 
+/// Why a stored attempt is void for cause; empty: it is not.
+[[nodiscard]] std::vector<VoidReason> why_void(const AttemptRecord& attempt);
+
 /// Neither broken off, nor void for cause, and something was tried.
 [[nodiscard]] bool counts(const AttemptRecord& attempt) noexcept;
 

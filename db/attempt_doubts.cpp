@@ -61,7 +61,7 @@ std::vector<VoidReason> doubts_in_store(StoreContext& context, const UserRecord&
     std::vector<VoidReason> doubts;
     // A script that passes an exam passes it for nobody but an account that shows how it is done.
     if (!result.exam.course_id.empty() && result.header.demonstration && !user.demonstration)
-        doubts.push_back({VoidCause::kScript, 0, 0, result.header.device});
+        doubts.push_back({VoidCause::kScript, 0, 0, Said::as_is(result.header.device)});
     if (!result.exam.proctor.empty() && (!proctor || proctor->id == user.id))
         doubts.push_back({VoidCause::kProctor, 0, 0, {}});
     if (checksum.empty()) {
@@ -75,9 +75,9 @@ std::vector<VoidReason> doubts_in_store(StoreContext& context, const UserRecord&
             doubts.push_back({*cause, 0, 0, {}});
     if (needs_signature(result))
         if (const std::string who = unknown_signer(context, result.recording_file); !who.empty())
-            doubts.push_back({VoidCause::kUnsigned, 0, 0, who});
+            doubts.push_back({VoidCause::kUnsigned, 0, 0, Said::as_is(who)});
     if (const auto same = same_recording(context.connection, result, checksum))
-        doubts.push_back({VoidCause::kSameRecording, 0, 0, std::to_string(*same)});
+        doubts.push_back({VoidCause::kSameRecording, 0, 0, Said::as_is(std::to_string(*same))});
     return doubts;
 }
 

@@ -25,8 +25,8 @@ const std::string& attempt_columns() {
         "t.end_reason, t.demonstration, t.points, t.verdict, t.rubric_id, t.rubric_version, "
         "t.metric_set_version, t.preprocessing_version, t.generated_from, t.exam_course, "
         "t.exam_course_version, t.exam_stage, t.proctor, t.device_certificate, t.haptic_grade, "
-        "t.void_reason, t.replay, t.study, t.participant FROM attempts t LEFT JOIN persons p ON "
-        "p.account_id = t.account_id ";
+        "t.void_reason, t.void_meaning, t.replay, t.study, t.participant FROM attempts t LEFT JOIN "
+        "persons p ON p.account_id = t.account_id ";
     return columns;
 }
 
@@ -55,6 +55,7 @@ AttemptRecord read_attempt(const Statement& row) {
                    row.text("exam_stage"), row.text("proctor"), row.text("device_certificate")};
     record.haptic_grade = row.text("haptic_grade");
     record.void_reason = row.text("void_reason");
+    record.void_meaning = row.text("void_meaning");
     record.replay = static_cast<ReplayState>(row.integer("replay"));
     record.study = {row.text("study"), row.text("participant")};
     return record;

@@ -23,16 +23,15 @@ using Kind = StoreError::Kind;
 
 /// Exams and attempts of studies count only when they were simulated again. What does not count
 /// anyway need not be.
-ReplayState replay_asked(const AttemptResult& result, const std::string& void_reason) {
-    return matters(result) && void_reason.empty() &&
-                   result.end.reason != sim::EndReason::kInterrupted
+ReplayState replay_asked(const AttemptResult& result, const std::vector<VoidReason>& voids) {
+    return matters(result) && voids.empty() && result.end.reason != sim::EndReason::kInterrupted
                ? ReplayState::kWaiting
                : ReplayState::kNotReplayed;
 }
 
 int64_t insert_attempt(StoreContext& context, int64_t user_id, const AttemptResult& result,
                        const HapticVerdict& haptics, const std::string& proctor,
-                       const std::string& void_reason) {
+                       const std::vector<VoidReason>& voids) {
     Connection& connection = context.connection;
     Statement insert(
         connection,
@@ -40,22 +39,22 @@ int64_t insert_attempt(StoreContext& context, int64_t user_id, const AttemptResu
         "saved_utc, duration_s, device, seed, build, end_reason, final_hash, dropped, "
         "demonstration, points, verdict, rubric_id, rubric_version, "
         "metric_set_version, preprocessing_version, exam_course, exam_course_version, exam_stage, "
-        "proctor, device_certificate, haptic_certificate, haptic_grade, void_reason, replay, "
-        "study, participant) "
+        "proctor, device_certificate, haptic_certificate, haptic_grade, void_reason, void_meaning, "
+        "replay, study, participant) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-        "?, ?, ?) RETURNING id");
-    insert.run(user_id, result.header.task_id, result.header.task_version,
-               result.header.started_utc.empty() ? utc_now() : result.header.started_utc, utc_now(),
-               result.end.duration_s, result.header.device, std::to_string(result.header.seed),
-               result.header.build, static_cast<int>(result.end.reason),
-               std::to_string(result.end.final_hash), result.end.dropped,
-               result.header.demonstration, result.score.points,
-               static_cast<int>(result.score.verdict), result.score.rubric_id,
-               result.score.rubric_version, result.metrics.version,
-               assessment::kPreprocessingVersion, result.exam.course_id, result.exam.course_version,
-               result.exam.stage_id, proctor, result.exam.device_certificate, haptics.certificate,
-               haptics.grade, void_reason, static_cast<int>(replay_asked(result, void_reason)),
-               result.study.study, result.study.participant);
+        "?, ?, ?, ?) RETURNING id");
+    insert.run(
+        user_id, result.header.task_id, result.header.task_version,
+        result.header.started_utc.empty() ? utc_now() : result.header.started_utc, utc_now(),
+        result.end.duration_s, result.header.device, std::to_string(result.header.seed),
+        result.header.build, static_cast<int>(result.end.reason),
+        std::to_string(result.end.final_hash), result.end.dropped, result.header.demonstration,
+        result.score.points, static_cast<int>(result.score.verdict), result.score.rubric_id,
+        result.score.rubric_version, result.metrics.version, assessment::kPreprocessingVersion,
+        result.exam.course_id, result.exam.course_version, result.exam.stage_id, proctor,
+        result.exam.device_certificate, haptics.certificate, haptics.grade, void_text(voids),
+        void_meaning(voids), static_cast<int>(replay_asked(result, voids)), result.study.study,
+        result.study.participant);
     return insert.returned_id();
 }
 
@@ -112,22 +111,20 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
     }
     const HapticVerdict haptics = haptic_verdict(result);
     std::vector<VoidReason> voids = void_reasons(result.events);
-    for (VoidReason& device : void_reasons(haptics.void_reason)) voids.push_back(std::move(device));
-    for (VoidReason& doubt : void_reasons(result.not_verified)) voids.push_back(std::move(doubt));
+    voids.insert(voids.end(), haptics.voids.begin(), haptics.voids.end());
+    voids.insert(voids.end(), result.not_verified.begin(), result.not_verified.end());
     UnitOfWork work(connection_);
     const UserRecord user = context_.need_user(user_id);
     const std::optional<UserRecord> proctor =
         result.exam.proctor.empty() ? std::nullopt : context_.find_staff(result.exam.proctor);
     for (VoidReason& doubt : doubts_in_store(context_, user, proctor, result, checksum))
         voids.push_back(std::move(doubt));
-    const std::string void_reason = void_text(voids);
     // Under the account's number, which stays when the name is erased.
     const std::string kept_proctor = proctor ? user_object(proctor->id)
                                      : result.exam.proctor.empty()
                                          ? std::string()
                                          : context_.kept_name(result.exam.proctor);
-    const int64_t id =
-        insert_attempt(context_, user_id, result, haptics, kept_proctor, void_reason);
+    const int64_t id = insert_attempt(context_, user_id, result, haptics, kept_proctor, voids);
     context_.made("attempt", id);
     insert_lists(connection_, id, result);
     if (!result.recording_file.empty())
@@ -142,8 +139,8 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
                           result.study.study.empty()
                               ? "user " + std::to_string(user_id)
                               : result.study.study + " " + result.study.participant);
-    if (!void_reason.empty())
-        context_.append_audit("attempt.void", "attempt " + std::to_string(id), void_reason);
+    if (!voids.empty())
+        context_.append_audit("attempt.void", "attempt " + std::to_string(id), void_text(voids));
     work.commit();
     return id;
 }

@@ -44,9 +44,9 @@ class Attempts {
     /// Practice that may still be simulated again, oldest first: recorded to its end, not void, and
     /// nobody has done so. It counts meanwhile, unlike what waits.
     [[nodiscard]] std::vector<int64_t> never_replayed();
-    /// What simulating again gave. One that differs is void from then on; `note` says where. Only a
-    /// program says so, never an account.
-    void set_replay(int64_t attempt_id, ReplayState state, const std::string& note);
+    /// What simulating again gave. One that differs is void from then on; `difference` says where.
+    /// Only a program says so, never an account.
+    void set_replay(int64_t attempt_id, ReplayState state, const Said& difference = {});
     /// Adds what is damaged to `problems`, for Store::check().
     void check_recordings(std::vector<std::string>& problems);
 

@@ -38,28 +38,30 @@ std::vector<int64_t> Attempts::never_replayed() {
     return ids_of(query);
 }
 
-void Attempts::set_replay(int64_t attempt_id, ReplayState state, const std::string& note) {
+void Attempts::set_replay(int64_t attempt_id, ReplayState state, const Said& difference) {
     connection_.begin_operation("keep the replay of attempt " + std::to_string(attempt_id) + " in");
     context_.need(Action::kReplay);
     UnitOfWork work(connection_);
-    Statement query(connection_, "SELECT void_reason FROM attempts WHERE id = ?");
+    Statement query(connection_, "SELECT void_reason, void_meaning FROM attempts WHERE id = ?");
     query.run(attempt_id);
     if (!query.next())
         connection_.fail(StoreError::Kind::kNotFound,
                          "there is no attempt " + std::to_string(attempt_id));
     // One answer about the replay: that of the last.
     std::vector<VoidReason> voids;
-    for (VoidReason& reason : void_reasons(query.text("void_reason")))
+    for (VoidReason& reason : void_reasons(query.text("void_reason"), query.text("void_meaning")))
         if (reason.cause != VoidCause::kReplayDiffers) voids.push_back(std::move(reason));
-    if (state == ReplayState::kDiffers) voids.push_back({VoidCause::kReplayDiffers, 0, 0, note});
+    if (state == ReplayState::kDiffers)
+        voids.push_back({VoidCause::kReplayDiffers, 0, 0, difference});
     context_.touch("attempt", attempt_id);
     Statement(connection_,
-              "UPDATE attempts SET replay = ?, replayed_utc = ?, void_reason = ? WHERE id = ?")
-        .run(static_cast<int>(state), utc_now(), void_text(voids), attempt_id);
+              "UPDATE attempts SET replay = ?, replayed_utc = ?, void_reason = ?, void_meaning = ? "
+              "WHERE id = ?")
+        .run(static_cast<int>(state), utc_now(), void_text(voids), void_meaning(voids), attempt_id);
     const char* const what = state == ReplayState::kIdentical ? "attempt.replay"
                              : state == ReplayState::kDiffers ? "attempt.replay_differs"
                                                               : "attempt.replay_reset";
-    context_.append_audit(what, "attempt " + std::to_string(attempt_id), note);
+    context_.append_audit(what, "attempt " + std::to_string(attempt_id), difference.english());
     work.commit();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/evidence.h"
 
+#include <QtGlobal>
 #include <algorithm>
 #include <array>
 
@@ -33,8 +34,8 @@ bool is_told_as_tuned(const Task& recorded, const sim::Recording& recording) {
                        [](const auto& event) { return event.kind == sim::EventKind::kTuned; });
 }
 
-std::string name_of(const std::string& id, int version) {
-    return id + " version " + std::to_string(version);
+Said name_of(const std::string& id, int version) {
+    return Said::listed(QT_TRANSLATE_NOOP("Said", "%1 version %2")).with(id).with(version);
 }
 
 /// No points for what nobody can judge.
@@ -97,8 +98,8 @@ AttemptResult judged(Store& store, const sim::Recording& recording) {
     result.end = recording.end;
     result.events = recording.events;
     TaskEvidence evidence = task_evidence(store, recording);
-    if (const std::string problem = assessment::unsound(recording); !problem.empty()) {
-        evidence.doubts.push_back({VoidCause::kUnsound, 0, 0, problem});
+    if (const auto problem = assessment::unsound(recording)) {
+        evidence.doubts.push_back({VoidCause::kUnsound, 0, 0, *problem});
         result.score = no_score(evidence.task, "The recording cannot be scored.");
         // Numbers that nobody measured do not reach lists and sums either.
         result.events.clear();
@@ -112,7 +113,7 @@ AttemptResult judged(Store& store, const sim::Recording& recording) {
                                  result.metrics, recording)
                            : no_score(evidence.task, "No rubric of this task is published here.");
     }
-    result.not_verified = void_text(evidence.doubts);
+    result.not_verified = evidence.doubts;
     return result;
 }
 
@@ -147,13 +148,14 @@ std::optional<curriculum::ReplayVerdict> verify_attempt(Store& store, int64_t at
         recording = stored_recording(store, attempt_id);
     } catch (const StoreError& error) {
         if (error.kind() != StoreError::Kind::kDamaged) throw;
-        return keep({false, "the recording is damaged"});
+        return keep({false, Said::listed(QT_TRANSLATE_NOOP("Said", "the recording is damaged"))});
     }
     const TaskEvidence evidence = task_evidence(store, recording);
     if (!evidence.task || recording.header.build != curriculum::this_build()) return std::nullopt;
-    if (!evidence.doubts.empty()) return keep({false, "its task is not the published one"});
-    if (const std::string problem = assessment::unsound(recording); !problem.empty())
-        return keep({false, problem});
+    if (!evidence.doubts.empty())
+        return keep(
+            {false, Said::listed(QT_TRANSLATE_NOOP("Said", "its task is not the published one"))});
+    if (const auto problem = assessment::unsound(recording)) return keep({false, *problem});
     curriculum::ReplayCheck check(recording, *evidence.task, 1);
     constexpr int kFramesBetween = 50;
     for (int64_t frame = 0; check.step(); ++frame)

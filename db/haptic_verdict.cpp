@@ -2,19 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/haptic_verdict.h"
 
+#include <QtGlobal>
 #include <exception>
 
 #include "db/recording_file.h"
+#include "db/store_error.h"
 #include "haptics/certificate.h"
 
 namespace placode::db {
 
 HapticVerdict haptic_verdict(const AttemptResult& result) {
     HapticVerdict out;
-    std::string reasons;
+    std::vector<VoidReason> reasons;
     const auto unreadable = [&] {
         out.grade = haptics::grade_name(haptics::CertificateGrade::kBad);
-        reasons = "the haptic certificate of the recording cannot be read";
+        reasons = {{VoidCause::kDevice, 0, 0,
+                    Said::listed(QT_TRANSLATE_NOOP(
+                        "Said", "the haptic certificate of the recording cannot be read"))}};
     };
     try {
         out.certificate = result.haptic_certificate;
@@ -25,15 +29,15 @@ HapticVerdict haptic_verdict(const AttemptResult& result) {
         const auto verdict = haptics::judge(haptics::certificate_from_json(out.certificate));
         out.grade = haptics::grade_name(verdict.grade);
         if (verdict.grade != haptics::CertificateGrade::kBad) return out;
-        for (const std::string& reason : verdict.reasons)
-            reasons.append(reasons.empty() ? "" : "; ").append(reason);
+        for (const Said& reason : verdict.reasons)
+            reasons.push_back({VoidCause::kDevice, 0, 0, reason});
     } catch (const StoreError& error) {
         if (may_pass(error)) throw;
         unreadable();
     } catch (const std::exception&) {
         unreadable();
     }
-    if (!result.exam.course_id.empty()) out.void_reason = reasons;
+    if (!result.exam.course_id.empty()) out.voids = reasons;
     return out;
 }
 

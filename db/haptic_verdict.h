@@ -5,15 +5,17 @@
 // void for cause.
 
 #include <string>
+#include <vector>
 
 #include "db/records.h"
+#include "db/void_reason.h"
 
 namespace placode::db {
 
 struct HapticVerdict {
-    std::string certificate;  ///< JSON; empty: none was kept.
-    std::string grade;        ///< As haptics::grade_name; empty: none was kept.
-    std::string void_reason;  ///< Why an exam attempt does not count; empty: it does.
+    std::string certificate;        ///< JSON; empty: none was kept.
+    std::string grade;              ///< As haptics::grade_name; empty: none was kept.
+    std::vector<VoidReason> voids;  ///< Why an exam attempt does not count; empty: it does.
 };
 
 /// Takes the certificate from `result` or, where that is empty, from the recording file. One that

@@ -12,6 +12,7 @@
 #include "assessment/scoring.h"
 #include "curriculum/norm_pack.h"
 #include "curriculum/questionnaire.h"
+#include "db/void_reason.h"
 #include "sim/step/recording.h"
 
 namespace placode::db {
@@ -102,6 +103,7 @@ struct AttemptRecord {
     /// failed, and the person did not; or tissue was tuned by hand. Empty: it is not. A void
     /// attempt is kept, counts for nothing and uses up no attempt.
     std::string void_reason;
+    std::string void_meaning;  ///< JSON of db/void_reason.h; empty: none, or of an older program.
     ReplayState replay = ReplayState::kNotReplayed;
 };
 
@@ -174,9 +176,9 @@ struct AttemptResult {
     ExamContext exam;
     StudyContext study;
     std::string haptic_certificate;  ///< JSON; empty: as the recording file has it.
-    /// Why it proves nothing, as void_text() of db/void_reason.h; empty = its task is the published
-    /// one and its recording is sound (db/evidence.h).
-    std::string not_verified;
+    /// Why it proves nothing; empty = its task is the published one and its recording is sound
+    /// (db/evidence.h).
+    std::vector<VoidReason> not_verified;
     /// Text of the order that lay beside the recording, "" where none did. It must be the one that
     /// the recording was begun with (db/recording_order.h). nullopt: who saves it answers for whose
     /// it is, as an import does.
@@ -320,6 +322,7 @@ struct StepRecord {
     StepState state = StepState::kDone;
     int64_t attempt_id = 0, answer_id = 0;  ///< 0 = none.
     std::string detail, at_utc;
+    std::string detail_meaning;  ///< Why it is not done, as JSON of db/void_reason.h; or empty.
     /// Why and by whom the step is done again; empty = this record counts.
     std::string superseded_reason, superseded_by, superseded_utc;
     [[nodiscard]] bool superseded() const { return !superseded_utc.empty(); }

@@ -81,8 +81,8 @@ void check_published(Store& store, const std::vector<AttemptRecord>& attempts,
 ComputedScore compute(Store& store, const AttemptRecord& attempt, const curriculum::Task& task,
                       const std::string& file) {
     const sim::Recording recording = read_recording_file(file);
-    if (const std::string problem = assessment::unsound(recording); !problem.empty())
-        throw StoreError(StoreError::Kind::kDamaged, "it cannot be scored: " + problem);
+    if (const auto problem = assessment::unsound(recording))
+        throw StoreError(StoreError::Kind::kDamaged, "it cannot be scored: " + problem->english());
     ComputedScore found;
     found.record.attempt_id = attempt.id;
     found.record.metrics = assessment::compute_metrics(recording);

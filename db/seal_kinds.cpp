@@ -58,7 +58,9 @@ std::vector<SealKind> make_kinds() {
           {"attempt_rating_items i JOIN attempt_ratings r ON r.id = i.rating_id",
            {"r.attempt_id"},
            {"i.rating_id", "i.item"},
-           "i.answer"}}},
+           "i.answer"},
+          // Since 0016. Only where there is one: what was sealed before stays as it was sealed.
+          {"attempts v WHERE v.void_meaning <> ''", {"v.id"}, {}, "v.void_meaning"}}},
         {"user",
          true,
          {{"accounts",
@@ -153,7 +155,11 @@ std::vector<SealKind> make_kinds() {
            {"i.answer_id", "i.item"},
            "i.answer"},
           {"record_events", code, {"id"}, "event, remark, checksum, by_login, by_name, at_utc"},
-          {"consent_signatures", code, {}, "path, at_utc"}}},
+          {"consent_signatures", code, {}, "path, at_utc"},
+          {"study_steps w WHERE w.detail_meaning <> ''",
+           {"w.study_id", "w.code"},
+           {"w.id"},
+           "w.detail_meaning"}}},
     };
 }
 

@@ -20,11 +20,13 @@ constexpr std::array<const char*, 3> kStates{"started", "done", "skipped"};
 /// every attempt of a study: once it was simulated again, and without a recording not at all.
 /// @return false where there is no recording.
 bool adopt(Connection& connection, const StepRecord& step) {
-    Statement query(connection,
-                    "SELECT void_reason, replay, end_reason FROM attempts WHERE id = ? AND study = "
-                    "''");
+    Statement query(
+        connection,
+        "SELECT void_reason, void_meaning, replay, end_reason FROM attempts WHERE id = ? "
+        "AND study = ''");
     if (!query.run(step.attempt_id).next()) return true;
-    std::vector<VoidReason> voids = void_reasons(query.text("void_reason"));
+    std::vector<VoidReason> voids =
+        void_reasons(query.text("void_reason"), query.text("void_meaning"));
     auto replay = static_cast<ReplayState>(query.integer("replay"));
     const auto end = static_cast<sim::EndReason>(query.integer("end_reason"));
     (void)query.next();  // its end, before the next question
@@ -36,10 +38,10 @@ bool adopt(Connection& connection, const StepRecord& step) {
     if (voids.empty() && replay == ReplayState::kNotReplayed && end != sim::EndReason::kInterrupted)
         replay = ReplayState::kWaiting;
     Statement(connection,
-              "UPDATE attempts SET study = ?, participant = ?, void_reason = ?, replay = ? WHERE "
-              "id = ?")
-        .run(step.study_id, step.participant, void_text(voids), static_cast<int>(replay),
-             step.attempt_id);
+              "UPDATE attempts SET study = ?, participant = ?, void_reason = ?, void_meaning = ?, "
+              "replay = ? WHERE id = ?")
+        .run(step.study_id, step.participant, void_text(voids), void_meaning(voids),
+             static_cast<int>(replay), step.attempt_id);
     return recorded;
 }
 
@@ -54,14 +56,17 @@ int64_t Studies::insert_step(StepRecord step) {
             why.voids.push_back({VoidCause::kNoRecording, 0, 0, {}});
             step.state = StepState::kStarted;
             step.detail = not_done_text(why);
+            step.detail_meaning = not_done_meaning(why);
         }
     }
-    Statement insert(connection_,
-                     "INSERT INTO study_steps (study_id, code, visit, step, state, attempt_id, "
-                     "answer_id, detail, at_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
+    Statement insert(
+        connection_,
+        "INSERT INTO study_steps (study_id, code, visit, step, state, attempt_id, "
+        "answer_id, detail, detail_meaning, at_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+        "RETURNING id");
     insert.run(step.study_id, step.participant, step.visit, step.step,
                kStates[static_cast<size_t>(step.state)], step.attempt_id, step.answer_id,
-               step.detail, step.at_utc.empty() ? utc_now() : step.at_utc);
+               step.detail, step.detail_meaning, step.at_utc.empty() ? utc_now() : step.at_utc);
     const int64_t id = insert.returned_id();
     context_.append_audit("study.step", step.study_id + " " + step.participant,
                           step.step + " " + kStates[static_cast<size_t>(step.state)] +
@@ -94,12 +99,13 @@ std::vector<StepRecord> Studies::steps(const std::string& study_id) {
     connection_.begin_operation("read the steps of a study from");
     // They say which attempt is whose code, which who sees all attempts sees anyway.
     context_.need_any({Action::kRunQuestionnaire, Action::kExportStudy, Action::kViewAttempts});
-    Statement query(connection_,
-                    "SELECT s.id, s.code, s.visit, s.step, s.state, s.attempt_id, s.answer_id, "
-                    "s.detail, s.at_utc, COALESCE(u.reason, '') AS superseded_reason, "
-                    "COALESCE(u.superseded_by, '') AS superseded_by, COALESCE(u.superseded_utc, "
-                    "'') AS superseded_utc FROM study_steps s LEFT JOIN superseded_steps u ON "
-                    "u.step_id = s.id WHERE s.study_id = ? ORDER BY s.id");
+    Statement query(
+        connection_,
+        "SELECT s.id, s.code, s.visit, s.step, s.state, s.attempt_id, s.answer_id, "
+        "s.detail, s.detail_meaning, s.at_utc, COALESCE(u.reason, '') AS superseded_reason, "
+        "COALESCE(u.superseded_by, '') AS superseded_by, COALESCE(u.superseded_utc, "
+        "'') AS superseded_utc FROM study_steps s LEFT JOIN superseded_steps u ON "
+        "u.step_id = s.id WHERE s.study_id = ? ORDER BY s.id");
     query.run(study_id);
     std::vector<StepRecord> found;
     while (query.next()) {
@@ -115,6 +121,7 @@ std::vector<StepRecord> Studies::steps(const std::string& study_id) {
         step.attempt_id = query.integer("attempt_id");
         step.answer_id = query.integer("answer_id");
         step.detail = query.text("detail");
+        step.detail_meaning = query.text("detail_meaning");
         step.at_utc = query.text("at_utc");
         step.superseded_reason = query.text("superseded_reason");
         step.superseded_by = query.text("superseded_by");

@@ -57,9 +57,9 @@ std::optional<curriculum::StudyStep> asked_step(Store& store, const StepRecord& 
     return asked == nullptr ? std::nullopt : std::optional(*asked);
 }
 
-/// Why an attempt does not do the step; empty = it does.
-std::string why_not_done(const AttemptRecord& attempt,
-                         const std::optional<curriculum::StudyStep>& asked) {
+/// Why an attempt does not do the step; nothing = it does.
+NotDone why_not_done(const AttemptRecord& attempt,
+                     const std::optional<curriculum::StudyStep>& asked) {
     NotDone why;
     why.interrupted =
         attempt.end == sim::EndReason::kInterrupted || attempt.end == sim::EndReason::kRunning;
@@ -67,8 +67,13 @@ std::string why_not_done(const AttemptRecord& attempt,
         why.ended_s = static_cast<int>(attempt.duration_s);
         why.least_s = static_cast<int>(asked->min_s);
     }
-    why.voids = void_reasons(attempt.void_reason);
-    return not_done_text(why);
+    why.voids = why_void(attempt);
+    return why;
+}
+
+void open_because(Progress& progress, const StepRecord& step) {
+    progress.open_because = step.superseded() ? step.superseded_reason : step.detail;
+    progress.open_meaning = step.superseded() ? std::string() : step.detail_meaning;
 }
 
 /// Consent and demographics are not asked again at a second visit.
@@ -234,7 +239,7 @@ std::vector<Progress> study_progress(Store& store, const std::string& study_id) 
         }
         for (const StepRecord& step : steps[participant.code])
             if (step.step == progress.next && step.visit == progress.visit)
-                progress.open_because = step.superseded() ? step.superseded_reason : step.detail;
+                open_because(progress, step);
         list.push_back(std::move(progress));
     }
     return list;
@@ -245,7 +250,9 @@ void record_attempt_step(Store& store, StepRecord step) {
         if (each.attempt_id == step.attempt_id) return;
     const AttemptRecord attempt = store.attempts().detail(step.attempt_id).record;
     const auto asked = asked_step(store, step);
-    step.detail = why_not_done(attempt, asked);
+    const NotDone why = why_not_done(attempt, asked);
+    step.detail = not_done_text(why);
+    step.detail_meaning = not_done_meaning(why);
     step.state = step.detail.empty() ? StepState::kDone : StepState::kStarted;
     // Getting used to the instruments is no data: nobody has to operate in it.
     if (step.detail.empty() && asked && asked->kind == curriculum::StepKind::kProcedure &&

@@ -54,6 +54,7 @@ struct Progress {
     std::string next;                   ///< Id of the next step; empty = finished, or no protocol.
     std::vector<std::string> finished;  ///< "visit/step", done or skipped, and not superseded.
     std::string open_because;           ///< Why the next step was tried and is not done; or empty.
+    std::string open_meaning;           ///< What that means, as the step's detail_meaning.
     std::string last_utc;               ///< Of the newest step.
     /// "visit/step" of the finished ones in which nothing was done: whoever runs the study sees it.
     std::vector<std::string> idle;

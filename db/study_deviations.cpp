@@ -103,6 +103,7 @@ class Reader {
             }
         }
         slow.text = attempt.record.void_reason;
+        slow.meaning = attempt.record.void_meaning;
         if (paused.count > 0) {
             Deviation& one = add(DeviationKind::kPaused, record);
             one.count = paused.count;
@@ -114,6 +115,7 @@ class Reader {
             one.count = slow.count;
             one.seconds = slow.seconds;
             one.text = slow.text;
+            one.meaning = slow.meaning;
         }
     }
 

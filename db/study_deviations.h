@@ -39,6 +39,7 @@ struct Deviation {
     double seconds = 0, expected_s = 0;
     std::set<sim::PauseCause> causes;
     std::string text, expected, by;
+    std::string meaning;  ///< Of the text of an attempt that is void (db/void_reason.h).
 };
 
 /// Of everybody in the study, or of one code; by code, then in the order in which things were

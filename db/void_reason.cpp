@@ -91,14 +91,14 @@ VoidReason void_reason(std::string_view text) {
             continue;
         text.remove_prefix(doubt.before.size());
         text.remove_suffix(doubt.behind.size());
-        return {doubt.cause, 0, 0, std::string(text)};
+        return {doubt.cause, 0, 0, Said::as_is(std::string(text))};
     }
-    return {VoidCause::kDevice, 0, 0, std::string(text)};
+    return {VoidCause::kDevice, 0, 0, Said::as_is(std::string(text))};
 }
 
 /// What is named comes from a file: it must not look like the next reason.
 std::string doubt_text(const VoidReason& reason) {
-    std::string named = reason.text;
+    std::string named = reason.detail.english();
     for (size_t at = named.find(kBetween); at != std::string::npos; at = named.find(kBetween))
         named.replace(at, kBetween.size(), ", ");
     for (const Doubt& doubt : kDoubts)
@@ -116,7 +116,7 @@ std::string text_of(const VoidReason& reason) {
         case VoidCause::kTuned:
             return std::string(kTuned);
         case VoidCause::kDevice:
-            return reason.text;
+            return reason.detail.english();
         case VoidCause::kTaskUnknown:
         case VoidCause::kTaskDiffers:
         case VoidCause::kUnsound:

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Why an attempt does not count, and why it does not do its step of a study: what is meant, and the
-// plain text that the store keeps of it. Text is written and read here only, so that no page has to
-// guess; each language says what is meant (reports/words.h).
+// Why an attempt does not count, and why it does not do its step of a study: what is meant, which
+// the store keeps as JSON, and the plain English that it keeps beside it, for exports and as all
+// that older programs wrote. Both are written and read here only, so that no page has to guess;
+// each language says what is meant (reports/words.h).
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "db/said.h"
 
 namespace placode::db {
 
@@ -16,15 +19,15 @@ enum class VoidCause : uint8_t {
     kFewPictures,  ///< Fewer pictures a second than are needed.
     kNotRealTime,  ///< The simulation ran behind the clock.
     kTuned,        ///< Tissue or generator were tuned: it is not the task any more.
-    kDevice,       ///< The force device; `text` has the figures for technicians.
+    kDevice,       ///< The force device; `detail` has the figures for technicians.
     // What was recorded proves nothing: practice, not verified.
-    kTaskUnknown,    ///< No task of that id and version was published; `text` names it.
+    kTaskUnknown,    ///< No task of that id and version was published; `detail` names it.
     kTaskDiffers,    ///< The recording carries another text than the published one.
-    kUnsound,        ///< What scoring needs is missing or out of range; `text` says what.
-    kSameRecording,  ///< Another attempt holds this recording; `text` has its number.
-    kReplayDiffers,  ///< Simulated again it gave something else; `text` says where.
-    kScript,         ///< An exam of a person that a script performed; `text` names it.
-    kUnsigned,       ///< No computer of the centre signed the recording; `text` says which, or "".
+    kUnsound,        ///< What scoring needs is missing or out of range; `detail` says what.
+    kSameRecording,  ///< Another attempt holds this recording; `detail` has its number.
+    kReplayDiffers,  ///< Simulated again it gave something else; `detail` says where.
+    kScript,         ///< An exam of a person that a script performed; `detail` names it.
+    kUnsigned,       ///< No computer of the centre signed the recording; `detail` says which.
     kNoRecording,    ///< An exam or an attempt of a study of which nothing was recorded.
     kOrderDiffers,   ///< Begun for another person, exam, proctor or step than is said now.
     kOrderMissing,   ///< An exam or an attempt of a study that nothing binds to what it was for.
@@ -42,7 +45,7 @@ inline constexpr const char* kNobody = "nobody";  ///< Of kUnsigned.
 struct VoidReason {
     VoidCause cause = VoidCause::kDevice;
     int found = 0, needed = 0;  ///< Pictures a second, or percent of real time.
-    std::string text;           ///< Of kDevice and of doubts; without "; ".
+    Said detail;                ///< Of kDevice and of doubts.
 
     [[nodiscard]] bool operator==(const VoidReason&) const = default;
 };
@@ -51,6 +54,13 @@ struct VoidReason {
 [[nodiscard]] std::string void_text(const std::vector<VoidReason>& reasons);
 /// What such a text means, of earlier versions as well; what is not known is the device's.
 [[nodiscard]] std::vector<VoidReason> void_reasons(std::string_view text);
+/// What they mean, as the store keeps it beside the text: a JSON array with a cause for each, and
+/// what is found, needed or named. Empty for none.
+[[nodiscard]] std::string void_meaning(const std::vector<VoidReason>& reasons);
+/// What an attempt's text and meaning mean together: the meaning where it says just this text;
+/// otherwise, as of an older program, what the text means.
+[[nodiscard]] std::vector<VoidReason> void_reasons(std::string_view text,
+                                                   const std::string& meaning);
 
 /// Why an attempt does not do the step it was made for.
 struct NotDone {
@@ -65,5 +75,8 @@ struct NotDone {
 /// that the computer was slow, who ended too early would do the same again.
 [[nodiscard]] std::string not_done_text(const NotDone& why);
 [[nodiscard]] NotDone not_done(std::string_view text);
+/// As void_meaning() and void_reasons() for the reasons of an attempt.
+[[nodiscard]] std::string not_done_meaning(const NotDone& why);
+[[nodiscard]] NotDone not_done(std::string_view text, const std::string& meaning);
 
 }  // namespace placode::db

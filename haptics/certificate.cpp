@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "haptics/json_scan.h"
 #include "sim/core/number_text.h"
@@ -12,6 +13,8 @@
 namespace placode::haptics {
 
 namespace {
+
+using sim::Said;
 
 /// Every field once: writer and reader walk the same list.
 template <class Certificate, class Visit>
@@ -93,6 +96,15 @@ double share(uint64_t part, uint64_t whole) {
 
 std::string percent(double value) { return sim::rounded_text(100 * value, 3) + " %"; }
 
+Said faults_of(const HapticCertificate& c, const CertificateLimits& limits) {
+    const auto counted = [&](const Said& faults) {
+        return faults.with(std::to_string(c.faults)).with(std::to_string(limits.faults));
+    };
+    if (c.last_error.empty()) return counted(Said::that("%1 device faults (at most %2)"));
+    return counted(Said::that("%1 device faults (at most %2); the last error was %3"))
+        .with(c.last_error);
+}
+
 }  // namespace
 
 std::string_view grade_name(CertificateGrade grade) noexcept {
@@ -110,30 +122,31 @@ std::string_view grade_name(CertificateGrade grade) noexcept {
 CertificateVerdict judge(const HapticCertificate& c, const CertificateLimits& limits) {
     CertificateVerdict verdict;
     if (!c.force || c.lock_step) return verdict;
-    const auto bad = [&](const std::string& what) { verdict.reasons.push_back(what); };
-    const auto check_share = [&](const char* what, uint64_t ticks, double limit) {
+    const auto bad = [&](Said what) { verdict.reasons.push_back(std::move(what)); };
+    const auto check_share = [&](const Said& what, uint64_t ticks, double limit) {
         const double found = share(ticks, c.ticks);
-        if (found > limit)
-            bad(std::string(what) + " in " + percent(found) + " of the ticks (at most " +
-                percent(limit) + ")");
+        if (found > limit) bad(what.with(percent(found)).with(percent(limit)));
     };
     if (c.duration_s < limits.shortest_s || c.ticks == 0)
-        bad("the haptic loop ran for " + sim::rounded_text(c.duration_s, 3) + " s only");
-    check_share("late", c.late, limits.late_share);
+        bad(Said::that("the haptic loop ran for %1 s only")
+                .with(sim::rounded_text(c.duration_s, 3)));
+    check_share(Said::that("late in %1 of the ticks (at most %2)"), c.late, limits.late_share);
     const double minutes = std::max(c.duration_s / 60, 1.0);
     if (static_cast<double>(c.gaps) > limits.gaps_per_minute * minutes)
-        bad(std::to_string(c.gaps) + " drop-outs of more than 5 ms (at most " +
-            sim::rounded_text(limits.gaps_per_minute, 3) + " a minute)");
-    check_share("tool state older than 10 ms", c.stale, limits.stale_share);
-    check_share("force at its ceiling", c.saturated, limits.saturated_share);
-    check_share("force lowered by motor heat", c.hot, limits.hot_share);
-    if (c.faults > limits.faults)
-        bad(std::to_string(c.faults) + " device faults (at most " + std::to_string(limits.faults) +
-            ")" + (c.last_error.empty() ? "" : "; the last error was " + c.last_error));
+        bad(Said::that("%1 drop-outs of more than 5 ms (at most %2 a minute)")
+                .with(std::to_string(c.gaps))
+                .with(sim::rounded_text(limits.gaps_per_minute, 3)));
+    check_share(Said::that("tool state older than 10 ms in %1 of the ticks (at most %2)"), c.stale,
+                limits.stale_share);
+    check_share(Said::that("force at its ceiling in %1 of the ticks (at most %2)"), c.saturated,
+                limits.saturated_share);
+    check_share(Said::that("force lowered by motor heat in %1 of the ticks (at most %2)"), c.hot,
+                limits.hot_share);
+    if (c.faults > limits.faults) bad(faults_of(c, limits));
     if (!(c.least_energy_j >= limits.least_energy_j))
-        bad("the haptic port gave " + sim::rounded_text(-1e3 * c.least_energy_j, 3) +
-            " mJ more than it took (at most " + sim::rounded_text(-1e3 * limits.least_energy_j, 3) +
-            " mJ)");
+        bad(Said::that("the haptic port gave %1 mJ more than it took (at most %2 mJ)")
+                .with(sim::rounded_text(-1e3 * c.least_energy_j, 3))
+                .with(sim::rounded_text(-1e3 * limits.least_energy_j, 3)));
     verdict.grade = verdict.reasons.empty() ? CertificateGrade::kSound : CertificateGrade::kBad;
     return verdict;
 }
@@ -146,7 +159,7 @@ std::string certificate_to_json(const HapticCertificate& certificate) {
     const CertificateVerdict verdict = judge(certificate);
     out.append("\"grade\":").append(quoted(grade_name(verdict.grade))).append(",\"reasons\":[");
     for (size_t i = 0; i < verdict.reasons.size(); ++i)
-        out.append(i > 0 ? "," : "").append(quoted(verdict.reasons[i]));
+        out.append(i > 0 ? "," : "").append(quoted(verdict.reasons[i].english()));
     return out.append("]}");
 }
 

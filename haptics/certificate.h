@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/core/said.h"
+
 namespace placode::haptics {
 
 struct HapticCertificate {
@@ -64,7 +66,7 @@ enum class CertificateGrade : uint8_t {
 
 struct CertificateVerdict {
     CertificateGrade grade = CertificateGrade::kNotApplicable;
-    std::vector<std::string> reasons;  ///< English, each with number and limit.
+    std::vector<sim::Said> reasons;  ///< Each with number and limit.
 };
 
 [[nodiscard]] CertificateVerdict judge(const HapticCertificate& certificate,

@@ -60,16 +60,16 @@ QString slow_words(const Speaker& say, Language language, const db::Deviation& d
                      .arg(say.times(deviation.count), say.seconds(deviation.seconds));
     if (!deviation.text.empty())
         parts << say("Does not count: %1.")
-                     .arg(language == Language::kEnglish ? QString::fromStdString(deviation.text)
-                                                         : void_words(deviation.text));
+                     .arg(language == Language::kEnglish
+                              ? QString::fromStdString(deviation.text)
+                              : void_words(deviation.text, deviation.meaning));
     return parts.join(' ');
 }
 
-/// What is wrong is named as the program found it, in English, as for a technician.
 QString doubt_words(const db::VoidReason& reason) {
     const auto say = [&](const char* english) {
         const QString words = QCoreApplication::translate("Deviation", english);
-        return words.contains("%1") ? words.arg(QString::fromStdString(reason.text)) : words;
+        return words.contains("%1") ? words.arg(said_part(reason.detail)) : words;
     };
     switch (reason.cause) {
         case db::VoidCause::kTaskUnknown:
@@ -83,7 +83,7 @@ QString doubt_words(const db::VoidReason& reason) {
         case db::VoidCause::kReplayDiffers:
             return say("Practice, not verified: simulated again it differs (%1)");
         case db::VoidCause::kUnsigned:
-            return reason.text == db::kNobody
+            return reason.detail.english() == db::kNobody
                        ? say("Practice, not verified: no computer signed the recording, or it was "
                              "changed")
                        : say("Practice, not verified: the computer %1 recorded it, which no "
@@ -123,7 +123,7 @@ QString void_reason_words(const db::VoidReason& reason) {
         case db::VoidCause::kTuned:
             return say("Tissue or generator was tuned");
         case db::VoidCause::kDevice:
-            return QString::fromStdString(reason.text);  // figures for technicians
+            return said_part(reason.detail);
         case db::VoidCause::kTaskUnknown:
         case db::VoidCause::kTaskDiffers:
         case db::VoidCause::kUnsound:
@@ -149,9 +149,9 @@ QString void_reason_within(const db::VoidReason& reason) {
 
 }  // namespace
 
-QString void_words(const std::string& text) {
+QString void_words(const std::string& text, const std::string& meaning) {
     QStringList parts;
-    for (const db::VoidReason& reason : db::void_reasons(text))
+    for (const db::VoidReason& reason : db::void_reasons(text, meaning))
         parts << (parts.isEmpty() ? void_reason_words(reason) : void_reason_within(reason));
     return parts.join(QStringLiteral("; "));
 }
@@ -164,7 +164,7 @@ QString not_counted_words(const db::AttemptRecord& attempt, Language language) {
     if (attempt.verdict == assessment::Verdict::kNotAttempted) said << say("nothing was done");
     // The figures of a machine stand where there is room for them.
     bool tuned = false, device = false, slow = false, doubt = false;
-    for (const db::VoidReason& reason : db::void_reasons(attempt.void_reason)) {
+    for (const db::VoidReason& reason : db::why_void(attempt)) {
         tuned |= reason.cause == db::VoidCause::kTuned;
         device |= reason.cause == db::VoidCause::kDevice;
         slow |= reason.cause == db::VoidCause::kFewPictures ||
@@ -180,9 +180,9 @@ QString not_counted_words(const db::AttemptRecord& attempt, Language language) {
     return said.join(QStringLiteral("; "));
 }
 
-QString not_done_words(const std::string& text) {
+QString not_done_words(const std::string& text, const std::string& meaning) {
     const Speaker say(Language::kProgram);
-    const db::NotDone why = db::not_done(text);
+    const db::NotDone why = db::not_done(text, meaning);
     QStringList said;
     if (why.interrupted) said << say("broken off");
     if (why.least_s > 0)

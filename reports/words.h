@@ -49,7 +49,7 @@ class Speaking {
 [[nodiscard]] QString reason_words(const assessment::Reason& reason);
 
 /// Why an attempt is void, from what the store keeps (db/void_reason.h), in the program's language.
-[[nodiscard]] QString void_words(const std::string& text);
+[[nodiscard]] QString void_words(const std::string& text, const std::string& meaning = {});
 
 /// In which language something is said: the program's, or English for files.
 enum class Language : uint8_t { kProgram, kEnglish };
@@ -62,7 +62,7 @@ enum class Language : uint8_t { kProgram, kEnglish };
 
 /// Why a step of a study is still to be done, from what its record keeps, in the program's
 /// language.
-[[nodiscard]] QString not_done_words(const std::string& text);
+[[nodiscard]] QString not_done_words(const std::string& text, const std::string& meaning = {});
 
 /// "Stood still twice, 12 s in all (menu, help)."
 [[nodiscard]] QString deviation_words(const db::Deviation& deviation,

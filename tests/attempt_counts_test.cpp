@@ -37,7 +37,8 @@ TEST(AttemptCounts, EachStandsUnderOneReason) {
     waiting = forged = good;
     waiting.replay = db::ReplayState::kWaiting;
     forged.replay = db::ReplayState::kDiffers;
-    forged.void_reason = db::void_text({{db::VoidCause::kReplayDiffers, 0, 0, "a sample at 2 s"}});
+    forged.void_reason =
+        db::void_text({{db::VoidCause::kReplayDiffers, 0, 0, db::Said::as_is("a sample at 2 s")}});
     add(data, true, good);
     add(data, true, good);
     add(data, false, waiting);

@@ -60,7 +60,7 @@ TEST(Certificate, NamesEveryReasonWithNumberAndLimit) {
     const auto one = [](const CertificateVerdict& verdict, const char* words) {
         EXPECT_EQ(verdict.grade, CertificateGrade::kBad);
         ASSERT_THAT(verdict.reasons, SizeIs(1)) << words;
-        EXPECT_THAT(verdict.reasons[0], HasSubstr(words));
+        EXPECT_THAT(verdict.reasons[0].english(), HasSubstr(words));
     };
     one(with([](auto& c) { c.late = 12'000; }), "late in 2 % of the ticks (at most 1 %)");
     one(with([](auto& c) { c.gaps = 11; }), "11 drop-outs");

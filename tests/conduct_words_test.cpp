@@ -19,7 +19,9 @@ namespace THIS_TEST {
 class Marked : public QTranslator {
  public:
     QString translate(const char* context, const char* text, const char*, int) const override {
-        return std::string(context) == "Deviation" ? "~" + QString::fromUtf8(text) : QString();
+        const std::string list = context;
+        return list == "Deviation" || list == db::Said::kContext ? "~" + QString::fromUtf8(text)
+                                                                 : QString();
     }
     bool isEmpty() const override { return false; }
 };
@@ -60,12 +62,39 @@ TEST_F(ConductWords, EveryDoubtIsSaidInTheProgramsLanguage) {
     for (int i = 0; i <= static_cast<int>(db::VoidCause::kProctor); ++i) {
         const auto cause = static_cast<db::VoidCause>(i);
         if (!db::is_doubt(cause)) continue;
-        const QString said = void_words(db::void_text({{cause, 0, 0, "this"}}));
+        const QString said = void_words(db::void_text({{cause, 0, 0, db::Said::as_is("this")}}));
         EXPECT_TRUE(said.startsWith("~Practice, not verified: ")) << said.toStdString();
         EXPECT_FALSE(said.contains("%1")) << said.toStdString();
     }
     EXPECT_EQ(void_words("Practice, not verified: nothing was recorded"),
               "~Practice, not verified: nothing was recorded");
+}
+
+TEST_F(ConductWords, WhatIsNamedIsSaidInTheProgramsLanguageWhereItsMeaningWasKept) {
+    const std::vector<db::VoidReason> differs{
+        {db::VoidCause::kReplayDiffers, 0, 0,
+         db::Said::that("%1 at %2 s").with(db::Said::that("a sample")).with("2.500")}};
+    EXPECT_EQ(void_words(db::void_text(differs), db::void_meaning(differs)),
+              "~Practice, not verified: simulated again it differs (~~a sample at 2.500 s)");
+    EXPECT_EQ(void_words(db::void_text(differs)),
+              "~Practice, not verified: simulated again it differs (a sample at 2.500 s)")
+        << "of an older program";
+    const std::vector<db::VoidReason> device{
+        {db::VoidCause::kDevice, 0, 0,
+         db::Said::that("%1 device faults (at most %2)").with(3).with(0)}};
+    EXPECT_EQ(void_words(db::void_text(device), db::void_meaning(device)),
+              "~3 device faults (at most 0)");
+    db::NotDone why;
+    why.voids = device;
+    EXPECT_EQ(not_done_words(db::not_done_text(why), db::not_done_meaning(why)),
+              "~3 device faults (at most 0)");
+    db::Deviation slow;
+    slow.kind = db::DeviationKind::kSlowMachine;
+    slow.text = db::void_text(device);
+    slow.meaning = db::void_meaning(device);
+    EXPECT_EQ(deviation_words(slow), "~Does not count: ~3 device faults (at most 0).");
+    EXPECT_EQ(deviation_words(slow, Language::kEnglish),
+              "Does not count: 3 device faults (at most 0).");
 }
 
 TEST_F(ConductWords, WhyAnAttemptDoesNotCountSaysWhatThePersonDidFirst) {

@@ -266,6 +266,10 @@ TEST_P(CourseStore, AnExamOnAHapticLoopThatFailedIsVoidForCause) {
     EXPECT_EQ(failed.haptic_grade, "bad");
     EXPECT_THAT(failed.void_reason, HasSubstr("40 drop-outs"));
     EXPECT_THAT(failed.void_reason, HasSubstr("1 device faults"));
+    const auto why = db::why_void(failed);
+    ASSERT_EQ(why.size(), 2u);
+    EXPECT_STREQ(why[0].detail.sentence(), "%1 drop-outs of more than 5 ms (at most %2 a minute)");
+    EXPECT_STREQ(why[1].detail.sentence(), "%1 device faults (at most %2)");
     EXPECT_EQ(exams(), 0) << "it uses up no attempt";
     EXPECT_EQ(store->attempts().detail(failed.id).haptic_certificate, bad)
         << "kept with the attempt";

@@ -163,8 +163,8 @@ inline std::vector<Seed> seeds_of_standards() {
 inline std::vector<Seed> seeds_of_void_reasons() {
     std::vector<Seed> seeds;
     for (int i = 0; i <= static_cast<int>(db::VoidCause::kProctor); ++i)
-        seeds.push_back(
-            {std::to_string(i), db::void_text({{static_cast<db::VoidCause>(i), 1, 2, "words"}})});
+        seeds.push_back({std::to_string(i), db::void_text({{static_cast<db::VoidCause>(i), 1, 2,
+                                                            db::Said::as_is("words")}})});
     return seeds;
 }
 

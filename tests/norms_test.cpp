@@ -42,7 +42,7 @@ class Norms : public EngineTest {
         result.score.points = points;
         result.score.rubric_id = "ring";
         const int64_t id = store->attempts().save(user, result);
-        if (replayed) store->attempts().set_replay(id, db::ReplayState::kIdentical, "");
+        if (replayed) store->attempts().set_replay(id, db::ReplayState::kIdentical);
         return id;
     }
     /// `n` persons, two attempts each, about `points` and `time_s`.

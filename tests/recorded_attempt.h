@@ -38,7 +38,7 @@ inline void record_to(const std::string& path, db::AttemptResult& result,
 /// wait. @param store acts for a program.
 inline void replay_as_identical(db::Store& store, int64_t id) {
     if (store.attempts().detail(id).record.replay == db::ReplayState::kWaiting)
-        store.attempts().set_replay(id, db::ReplayState::kIdentical, "");
+        store.attempts().set_replay(id, db::ReplayState::kIdentical);
 }
 
 /// Saves `result` with a recording in `folder`, simulated again.

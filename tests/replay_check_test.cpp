@@ -31,7 +31,8 @@ TEST(ReplayCheck, AnHonestAttemptOfEveryTaskIsIdentical) {
                                                             3 + static_cast<uint64_t>(round));
             ASSERT_GT(honest.samples.size(), 100U) << id;
             const ReplayVerdict verdict = check_replay(honest, load_task(id), 2);
-            EXPECT_TRUE(verdict.identical) << id << " " << round << ": " << verdict.difference;
+            EXPECT_TRUE(verdict.identical)
+                << id << " " << round << ": " << verdict.difference.english();
             bar.tried(verdict.identical);
         }
     }
@@ -41,7 +42,7 @@ TEST(ReplayCheck, AnAttemptThatCameToItsOwnEndIsIdentical) {
     const Recording honest = test::scripted_seconds("touch_targets", 0);
     ASSERT_EQ(honest.end.reason, sim::EndReason::kFinished);
     const ReplayVerdict verdict = check_replay(honest, load_task("touch_targets"), 1);
-    EXPECT_TRUE(verdict.identical) << verdict.difference;
+    EXPECT_TRUE(verdict.identical) << verdict.difference.english();
 }
 
 TEST(ReplayCheck, WhatWasChangedIsNamed) {
@@ -88,7 +89,8 @@ TEST(ReplayCheck, WhatWasChangedIsNamed) {
         EXPECT_FALSE(verdict.identical) << "change " << at;
         // A hand that is moved shows in the samples first.
         if (std::string(change.named) != "state") {
-            EXPECT_THAT(verdict.difference, testing::HasSubstr(change.named)) << "change " << at;
+            EXPECT_THAT(verdict.difference.english(), testing::HasSubstr(change.named))
+                << "change " << at;
         }
         ++at;
     }

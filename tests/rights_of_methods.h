@@ -212,7 +212,7 @@ inline std::vector<Method> methods_of_attempts() {
          {{Action::kReplay}},
          {},
          [](Call& c) {
-             c.store.attempts().set_replay(c.subject.attempt, db::ReplayState::kIdentical, "");
+             c.store.attempts().set_replay(c.subject.attempt, db::ReplayState::kIdentical);
          }},
         {"attempts.check_recordings",
          {{Action::kBackup}},

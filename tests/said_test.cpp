@@ -7,6 +7,7 @@
 #include <map>
 
 #include "db/course_conduct.h"
+#include "db/said_json.h"
 #include "tests/store_cases.h"
 
 namespace THIS_TEST {
@@ -45,6 +46,17 @@ TEST(Said, APartIsSaidInTheSameLanguage) {
     EXPECT_EQ(title.english(), "the step a");
     EXPECT_EQ(in_reverse(title), "krok b");
     EXPECT_EQ(in_reverse(title, "en"), "krok a");
+}
+
+TEST(Said, IsKeptAndReadAsItWas) {
+    for (const Said& said : {Said(), Said::that("rest"), Said::as_is("12 \"x\" %1 ż"),
+                             Said::as_is(curriculum::LocalText{"a", "b"}),
+                             Said::that("%1 of %2 are left").with(3).with(""),
+                             Said::that("%1 of %2 are left")
+                                 .with(Said::that("the step %1").with(Said::listed("rest")))
+                                 .with(Said::as_is(curriculum::LocalText{"a", "b"}))})
+        EXPECT_EQ(db::said_of_json(db::said_json(said)), said) << said.english();
+    EXPECT_EQ(db::said_of_json({{"says", 7}, {"with", "x"}}), Said()) << "says nothing";
 }
 
 TEST(Said, AnErrorHasTheEnglishAndTheMeaning) {

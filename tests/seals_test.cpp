@@ -15,6 +15,7 @@
 #include <set>
 #include <thread>
 
+#include "db/attempt_counting.h"
 #include "db/packing.h"
 #include "db/signature.h"
 #include "db/sql_connection.h"
@@ -381,6 +382,66 @@ TEST_P(SealsTest, AnOlderStoreIsSealedOnceWhenItIsUpdated) {
     ASSERT_TRUE(
         pen.run("UPDATE attempts SET points = 100 WHERE id = " + std::to_string(attempt_id)));
     EXPECT_THAT(found(), HasSubstr("attempt " + std::to_string(attempt_id) + " was changed"));
+}
+
+TEST_P(SealsTest, WhatWasSealedBeforeReasonsHadAMeaningIsSound) {
+    // As version 15 wrote it: the English alone, and seals over what there was then.
+    store.reset();
+    RawConnection pen = forger();
+    const std::string attempt = std::to_string(attempt_id);
+    ASSERT_TRUE(
+        pen.run("UPDATE attempts SET void_reason = '2 device faults' WHERE id = " + attempt));
+    ASSERT_TRUE(pen.run("UPDATE attempts SET void_meaning = ''"));
+    ASSERT_TRUE(pen.run("UPDATE study_steps SET detail = 'interrupted', detail_meaning = ''"));
+    ASSERT_TRUE(pen.run("DELETE FROM audit"));
+    ::setenv("PLACODE_STATION_KEY", folder.file("updated/station.key").c_str(), 1);
+    fs::remove(folder.file("placode.db.seen"));
+    become_owner();
+    store = open();
+    ASSERT_EQ(all_of(store->check()), "");
+    const std::string sealed = raw().value("SELECT seals FROM audit WHERE seals <> ''");
+    store.reset();
+    ASSERT_TRUE(pen.run("ALTER TABLE attempts DROP COLUMN void_meaning")) << pen.problem();
+    ASSERT_TRUE(pen.run("ALTER TABLE study_steps DROP COLUMN detail_meaning"));
+    ASSERT_TRUE(pen.run("DELETE FROM schema_migrations WHERE name = '0016_void_meaning.sql'"));
+    store = open();
+    EXPECT_EQ(all_of(store->check()), "");
+    EXPECT_EQ(raw().value("SELECT seals FROM audit WHERE seals <> ''"), sealed) << "not anew";
+    const db::AttemptRecord old = store->attempts().detail(attempt_id).record;
+    EXPECT_EQ(old.void_reason, "2 device faults");
+    EXPECT_EQ(old.void_meaning, "");
+    ASSERT_TRUE(pen.run("UPDATE attempts SET void_meaning = '[]' WHERE id = " + attempt));
+    EXPECT_THAT(found(), HasSubstr("attempt " + attempt + " was changed"));
+}
+
+// A reason and its meaning are written together, wherever a reason is written.
+TEST_P(SealsTest, WhatAReasonMeansIsSealedWithIt) {
+    using db::Said;
+    store->act_as("bert");
+    db::AttemptResult result = make_result("touch_targets");
+    result.not_verified = {{db::VoidCause::kUnsound, 0, 0,
+                            Said::that("sample %1 has a tip that lies nowhere").with(12)}};
+    const int64_t id = save_recorded(*store, anna, result, folder.path().string());
+    const auto why = [&] { return db::why_void(store->attempts().detail(id).record); };
+    EXPECT_THAT(why(), testing::Contains(result.not_verified[0]));
+    const Said differs = Said::that("%1 at %2 s").with(Said::that("a sample")).with("2.500");
+    open()->attempts().set_replay(id, db::ReplayState::kDiffers, differs);
+    EXPECT_THAT(why(), testing::Contains(result.not_verified[0]));
+    EXPECT_THAT(why(),
+                testing::Contains(db::VoidReason{db::VoidCause::kReplayDiffers, 0, 0, differs}));
+    db::StepRecord step;
+    step.study_id = "pilot";
+    step.participant = store->studies().new_participant("pilot");
+    step.step = "run";
+    step.attempt_id = id;
+    db::record_attempt_step(*store, step);
+    EXPECT_THAT(why(), testing::Contains(result.not_verified[0])) << "the participant's now";
+    const db::StepRecord kept = store->studies().steps("pilot").back();
+    EXPECT_EQ(db::not_done(kept.detail, kept.detail_meaning).voids, why());
+    EXPECT_EQ(all_of(store->check()), "");
+    RawConnection pen = forger();
+    ASSERT_TRUE(pen.run("UPDATE attempts SET void_meaning = '' WHERE id = " + std::to_string(id)));
+    EXPECT_THAT(found(), HasSubstr("attempt " + std::to_string(id) + " was changed"));
 }
 
 TEST_P(SealsTest, TwoComputersChangeOneObjectAtOnce) {

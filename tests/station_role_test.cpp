@@ -130,6 +130,7 @@ TEST_P(StationRole, WhatItDoesPastTheProgramsShows) {
     for (const std::string& edit :
          {"UPDATE accounts SET roles = 15 WHERE id = " + person,
           "UPDATE attempts SET void_reason = 'by nobody' WHERE id = " + attempt,
+          "UPDATE attempts SET void_meaning = '[]' WHERE id = " + attempt,
           std::string("INSERT INTO accounts (password_hash, roles, active, demonstration, "
                       "created_utc) VALUES ('', 15, 1, 0, '2026-01-01T00:00:00.000Z')"),
           "DELETE FROM recordings WHERE attempt_id = " + attempt +

@@ -237,7 +237,7 @@ TEST_F(TrainingPrograms, StandardsAreSetFromGroupsAndExchangedSigned) {
     {
         const auto direct = db::open_store("sqlite:" + store, cheap());
         for (const auto& each : direct->attempts().list(0))
-            direct->attempts().set_replay(each.id, db::ReplayState::kIdentical, "");
+            direct->attempts().set_replay(each.id, db::ReplayState::kIdentical);
     }
     EXPECT_THAT(as("ewa", make).err, HasSubstr("no name yet"));
     EXPECT_THAT(as("ewa", make + "--centre Here").err, HasSubstr("PLACODE_NEW_PASSPHRASE"));

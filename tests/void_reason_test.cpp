@@ -12,18 +12,19 @@ using testing::IsEmpty;
 
 namespace THIS_TEST {
 
-const std::vector<VoidReason> kAll{{VoidCause::kTuned, 0, 0, {}},
-                                   {VoidCause::kDevice, 0, 0, "40 drop-outs of the force loop"},
-                                   {VoidCause::kFewPictures, 0, 20, {}},
-                                   {VoidCause::kFewPictures, 1, 20, {}},
-                                   {VoidCause::kFewPictures, 19, 20, {}},
-                                   {VoidCause::kNotRealTime, 94, 95, {}},
-                                   {VoidCause::kTaskUnknown, 0, 0, "it version 1"},
-                                   {VoidCause::kUnsigned, 0, 0, kNobody},
-                                   {VoidCause::kNoRecording, 0, 0, {}},
-                                   {VoidCause::kOrderDiffers, 0, 0, {}},
-                                   {VoidCause::kOrderMissing, 0, 0, {}},
-                                   {VoidCause::kProctor, 0, 0, {}}};
+const std::vector<VoidReason> kAll{
+    {VoidCause::kTuned, 0, 0, {}},
+    {VoidCause::kDevice, 0, 0, Said::as_is("40 drop-outs of the force loop")},
+    {VoidCause::kFewPictures, 0, 20, {}},
+    {VoidCause::kFewPictures, 1, 20, {}},
+    {VoidCause::kFewPictures, 19, 20, {}},
+    {VoidCause::kNotRealTime, 94, 95, {}},
+    {VoidCause::kTaskUnknown, 0, 0, Said::as_is("it version 1")},
+    {VoidCause::kUnsigned, 0, 0, Said::as_is(kNobody)},
+    {VoidCause::kNoRecording, 0, 0, {}},
+    {VoidCause::kOrderDiffers, 0, 0, {}},
+    {VoidCause::kOrderMissing, 0, 0, {}},
+    {VoidCause::kProctor, 0, 0, {}}};
 
 TEST(VoidReason, EveryListIsReadAsItWasWritten) {
     EXPECT_EQ(void_text({}), "");
@@ -45,8 +46,50 @@ TEST(VoidReason, StoresOfEarlierVersionsMeanTheSame) {
         const auto read = void_reasons(other);
         ASSERT_EQ(read.size(), 1u);
         EXPECT_EQ(read[0].cause, VoidCause::kDevice) << other;
-        EXPECT_EQ(read[0].text, other);
+        EXPECT_EQ(read[0].detail.english(), other);
     }
+}
+
+// What a program of today writes: parts that have a translation of their own.
+const std::vector<VoidReason> kMeant{
+    {VoidCause::kDevice, 0, 0,
+     Said::that("%1 device faults (at most %2); the last error was %3").with(3).with(0).with("E7")},
+    {VoidCause::kReplayDiffers, 0, 0,
+     Said::that("%1 at %2 s").with(Said::that("a sample")).with("2.500")},
+    {VoidCause::kUnsound, 0, 0, Said::that("sample %1 has a tip that lies nowhere").with(12)},
+    {VoidCause::kFewPictures, 19, 20, {}}};
+
+TEST(VoidReason, TheMeaningIsReadAsItWasWritten) {
+    EXPECT_EQ(void_meaning({}), "");
+    for (const auto& all : {kAll, kMeant})
+        EXPECT_EQ(void_reasons(void_text(all), void_meaning(all)), all) << void_meaning(all);
+    EXPECT_NE(void_reasons(void_text(kMeant)), kMeant) << "the text alone means less";
+}
+
+TEST(VoidReason, AMeaningThatSaysSomethingElseThanItsTextIsNone) {
+    const std::string text = void_text(kAll);
+    for (const std::string& meaning :
+         {void_meaning(kMeant), std::string(), std::string("[]"), std::string("{}"),
+          std::string("no JSON"), std::string(R"([{"cause":"tuned"},7,null])"),
+          std::string(R"([{"cause":"of a later program"}])")})
+        EXPECT_EQ(void_reasons(text, meaning), kAll) << meaning;
+    EXPECT_THAT(void_reasons("", void_meaning(kMeant)), IsEmpty());
+    EXPECT_EQ(not_done("interrupted", R"({"interrupted":true,"void":[{"cause":"?"}]})").voids,
+              std::vector<VoidReason>{});
+    EXPECT_TRUE(not_done("interrupted", R"({"least_s":5})").interrupted);
+}
+
+TEST(VoidReason, WhatAStepsReasonMeansIsReadAsItWasWritten) {
+    EXPECT_EQ(not_done_meaning({}), "");
+    NotDone why;
+    why.ended_s = 2;
+    why.least_s = 60;
+    why.voids = kMeant;
+    EXPECT_EQ(not_done(not_done_text(why), not_done_meaning(why)), why);
+    why = {};
+    why.interrupted = true;
+    why.note = "the pedal; void: of sense";
+    EXPECT_EQ(not_done(not_done_text(why), not_done_meaning(why)), why);
 }
 
 TEST(VoidReason, WhyAStepIsNotDoneIsReadAsItWasWritten) {
@@ -65,7 +108,8 @@ TEST(VoidReason, WhyAStepIsNotDoneIsReadAsItWasWritten) {
     NotDone own;
     own.note = "the pedal was unplugged; void of sense";
     EXPECT_EQ(not_done(not_done_text(own)), own) << "a coordinator's own words";
-    EXPECT_EQ(not_done("interrupted; void: 2 device faults").voids.at(0).text, "2 device faults");
+    EXPECT_EQ(not_done("interrupted; void: 2 device faults").voids.at(0).detail.english(),
+              "2 device faults");
 }
 
 }  // namespace THIS_TEST

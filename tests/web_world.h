@@ -46,7 +46,7 @@ inline int64_t add_norms(db::Store& store) {
     }
     for (const int64_t expert : experts)
         for (const db::AttemptRecord& each : store.attempts().list(expert))
-            store.attempts().set_replay(each.id, db::ReplayState::kIdentical, "");
+            store.attempts().set_replay(each.id, db::ReplayState::kIdentical);
     const int64_t id = db::keep_own_norms(
         store,
         db::make_norms(db::level_attempts(store, "diathermy_ring", {{"expert", experts}}),

@@ -33,6 +33,7 @@ class ShellHintsTest : public QObject {
     void switchingTheUserIsNamedAndAsksWhileAnAttemptRuns();
     void aStudySaysTheLimitThatTheWindowShows();
     void whatIsInDoubtIsNotCalledTuned();
+    void whatIsInDoubtIsNamedInTheProgramsLanguage();
     void whatCannotBeReplayedHereSaysSo();
     void aDemonstrationSaysWhoMaySignIn();
 
@@ -367,7 +368,7 @@ void ShellHintsTest::whatIsInDoubtIsNotCalledTuned() {
     result.end.reason = sim::EndReason::kFinished;
     result.end.duration_s = 20;
     result.score.verdict = assessment::Verdict::kPassed;
-    result.not_verified = db::void_text({{db::VoidCause::kTaskDiffers, 0, 0, "it version 1"}});
+    result.not_verified = {{db::VoidCause::kTaskDiffers, 0, 0, db::Said::as_is("it version 1")}};
     const int64_t doubted = shell_->owner().attempts().save(user_, result);
     shell_->window().open({PageId::kHistory, 0, {}, {{"task", "grasp_and_lift"}}});
     QVERIFY(shell_->arrives(PageId::kHistory));
@@ -377,6 +378,41 @@ void ShellHintsTest::whatIsInDoubtIsNotCalledTuned() {
     QVERIFY(shell_->arrives(PageId::kResult));
     QCOMPARE(shell_->text("result_verdict"), QString("Does not count: practice, not verified"));
     shell_->whole("36_result_not_verified");
+    shell_->context().signOut();
+}
+
+void ShellHintsTest::whatIsInDoubtIsNamedInTheProgramsLanguage() {
+    QVERIFY(shell_->signIn("nina", "quiet river 7"));
+    db::AttemptResult result;
+    result.header.task_id = "grasp_and_lift";
+    result.header.device = "mouse";
+    result.header.started_utc = "2026-03-02T10:00:00Z";
+    result.end.reason = sim::EndReason::kFinished;
+    result.end.duration_s = 20;
+    result.score.verdict = assessment::Verdict::kPassed;
+    result.not_verified = {
+        {db::VoidCause::kUnsound, 0, 0,
+         db::Said::that("sample %1 has a tip that lies nowhere").with(12)},
+        {db::VoidCause::kReplayDiffers, 0, 0,
+         db::Said::that("%1 at %2 s").with(db::Said::that("the field")).with("0.000")}};
+    const int64_t doubted = shell_->owner().attempts().save(user_, result);
+    const auto says = [&](const char* code, const char* picture, const QStringList& words) {
+        shell_->context().setLanguage(code);
+        shell_->window().open({PageId::kResult, doubted, {}, {}});
+        QVERIFY(shell_->arrives(PageId::kResult));
+        const QString why = shell_->text("void_for_cause");
+        for (const QString& each : words) QVERIFY2(why.contains(each), qPrintable(why));
+        shell_->whole(picture);
+        QVERIFY(shell_->fits());
+    };
+    says("en", "36_result_in_doubt",
+         {"it cannot be scored (sample 12 has a tip that lies nowhere)",
+          "simulated again it differs (the field at 0.000 s)"});
+    says("pl", "36_result_in_doubt_pl",
+         {QString::fromUtf8("nie można go ocenić (próbka 12 ma końcówkę, która nie leży nigdzie)"),
+          QString::fromUtf8(
+              "ponowna symulacja dała inny wynik (pole operacyjne w chwili 0.000 s)")});
+    shell_->context().setLanguage("en");
     shell_->context().signOut();
 }
 

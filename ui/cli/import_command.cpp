@@ -18,9 +18,9 @@ namespace placode::cli {
 SavedAttempt save_recording(db::Store& store, int64_t user_id, const std::string& file,
                             const db::ExamContext& exam) {
     const sim::Recording recording = db::read_recording_file(file);
-    if (const std::string problem = assessment::unsound(recording); !problem.empty())
+    if (const auto problem = assessment::unsound(recording))
         throw db::StoreError(db::StoreError::Kind::kDamaged,
-                             file + ": the recording cannot be scored: " + problem);
+                             file + ": the recording cannot be scored: " + problem->english());
     if (const auto known = store.attempts().find_recording(file))
         throw db::StoreError(
             db::StoreError::Kind::kConflict,

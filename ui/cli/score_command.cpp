@@ -40,10 +40,13 @@ void add_certificate(const std::string& file, Json& json, std::string& text) {
         const auto verdict = haptics::judge(haptics::certificate_from_json(found));
         json["haptics"] = Json::parse(found, nullptr, false);
         json["haptics"]["grade"] = haptics::grade_name(verdict.grade);
-        json["haptics"]["reasons"] = verdict.reasons;
+        json["haptics"]["reasons"] = Json::array();
         if (verdict.grade != haptics::CertificateGrade::kNotApplicable)
             text += "haptic certificate: " + std::string(haptics::grade_name(verdict.grade)) + "\n";
-        for (const std::string& reason : verdict.reasons) text += "  " + reason + "\n";
+        for (const sim::Said& reason : verdict.reasons) {
+            json["haptics"]["reasons"].push_back(reason.english());
+            text += "  " + reason.english() + "\n";
+        }
     }
 }
 
@@ -52,8 +55,8 @@ int score(const Context& context, const ScoreOptions& options) {
     const sim::Recording recording = load_recording(options.file, options.recover, damage);
     bool published = true;
     const curriculum::Task task = task_to_score_by(recording, options, published);
-    if (const std::string problem = assessment::unsound(recording); !problem.empty())
-        throw InputError(options.file + ": the recording cannot be scored: " + problem);
+    if (const auto problem = assessment::unsound(recording))
+        throw InputError(options.file + ": the recording cannot be scored: " + problem->english());
     const auto metrics = assessment::compute_metrics(recording);
     const auto result = assessment::score_attempt(task.rubric, metrics, recording);
     const std::string verdict = assessment::verdict_name(result.verdict);

@@ -59,7 +59,7 @@ Verified verify_all(Session& session, const std::vector<ToVerify>& all, bool bri
                                                   : verdict->identical ? db::ReplayState::kIdentical
                                                                        : db::ReplayState::kDiffers);
         const std::string difference =
-            verdict ? verdict->difference
+            verdict ? verdict->difference.english()
             : CancelOn::requested()
                 ? "stopped"
                 : "recorded by another build or processor, or of a task that is unknown here";

@@ -79,7 +79,8 @@ QString ProceduresCard::stateWords(const db::StepRecord& record) const {
             .arg(qstr(record.superseded_reason), qstr(record.superseded_by));
     if (idle(record)) return tr("kept, but no analysis uses it: nothing was done");
     if (record.state == db::StepState::kDone) return tr("counts");
-    return tr("does not count: %1").arg(reports::not_done_words(record.detail));
+    return tr("does not count: %1")
+        .arg(reports::not_done_words(record.detail, record.detail_meaning));
 }
 
 void ProceduresCard::fillTable(QVBoxLayout* layout) {

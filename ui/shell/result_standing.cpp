@@ -48,14 +48,14 @@ QString why_not_counted(const db::AttemptRecord& record, const ExamStanding& sta
     if (!record.void_reason.empty()) {
         // Of an exam also the force device; its reasons are figures for technicians.
         const bool device = exam && record.haptic_grade == "bad";
-        const QString reason = reports::void_words(record.void_reason);
+        const QString reason = reports::void_words(record.void_reason, record.void_meaning);
         said << (device ? StandingText::tr("The force device did not work as it must (%1).")
                         : StandingText::tr("%1."))
                     .arg(reason);
         if (db::machine_at_fault(record))
             said << (own ? StandingText::tr("This was not your fault.")
                          : StandingText::tr("The machine was the cause, not the person."));
-        const auto reasons = db::void_reasons(record.void_reason);
+        const auto reasons = db::why_void(record);
         if (std::any_of(reasons.begin(), reasons.end(), [](const db::VoidReason& reason) {
                 return reason.cause == db::VoidCause::kFewPictures ||
                        reason.cause == db::VoidCause::kNotRealTime;

@@ -230,7 +230,7 @@ class StudyRunPage : public Page {
         if (!progress_.open_because.empty()) {
             QLabel* open = make_label(
                 tr("The attempt before does not count: %1. Please do this step once more.")
-                    .arg(reports::not_done_words(progress_.open_because)),
+                    .arg(reports::not_done_words(progress_.open_because, progress_.open_meaning)),
                 "warn");
             open->setObjectName("open_because");
             layout->addWidget(open);

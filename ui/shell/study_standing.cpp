@@ -41,7 +41,7 @@ QString standing_remark(const AppContext& context, const curriculum::StudyProtoc
         said << StudyStanding::tr("Withdrew.");
     else if (!progress.open_because.empty())
         said << StudyStanding::tr("To be done again: %1.")
-                    .arg(reports::not_done_words(progress.open_because));
+                    .arg(reports::not_done_words(progress.open_because, progress.open_meaning));
     if (progress.participant.demonstration) said << StudyStanding::tr("DEMONSTRATION");
     return said.join(' ');
 }

@@ -64,8 +64,9 @@ Html state_words(const db::Progress& progress) {
     Html out = badge(Web::phrase("under way"), Tone::kPlain);
     if (!progress.open_because.empty())
         out << " "
-            << Web::phrase("to be done again: %1",
-                           text(reports::not_done_words(progress.open_because)));
+            << Web::phrase(
+                   "to be done again: %1",
+                   text(reports::not_done_words(progress.open_because, progress.open_meaning)));
     return out;
 }
 

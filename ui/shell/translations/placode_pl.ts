@@ -10570,8 +10570,168 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>z pliku przywraca się tylko bazę, która sama jest plikiem; na serwerze użyj pg_restore</translation>
     </message>
     <message>
+        <source>%1 version %2</source>
+        <translation>%1 w wersji %2</translation>
+    </message>
+    <message>
+        <source>the recording is damaged</source>
+        <translation>nagranie jest uszkodzone</translation>
+    </message>
+    <message>
+        <source>its task is not the published one</source>
+        <translation>jego zadanie nie jest opublikowanym</translation>
+    </message>
+    <message>
+        <source>the haptic certificate of the recording cannot be read</source>
+        <translation>nie można odczytać certyfikatu haptycznego nagrania</translation>
+    </message>
+    <message>
         <source>%1; nothing was changed</source>
         <translation>%1; niczego nie zmieniono</translation>
+    </message>
+    <message>
+        <source>%1 device faults (at most %2)</source>
+        <translation>usterki urządzenia: %1 (najwyżej %2)</translation>
+    </message>
+    <message>
+        <source>%1 device faults (at most %2); the last error was %3</source>
+        <translation>usterki urządzenia: %1 (najwyżej %2); ostatni błąd: %3</translation>
+    </message>
+    <message>
+        <source>the haptic loop ran for %1 s only</source>
+        <translation>pętla haptyczna działała tylko %1 s</translation>
+    </message>
+    <message>
+        <source>late in %1 of the ticks (at most %2)</source>
+        <translation>spóźnienia w %1 cykli (najwyżej %2)</translation>
+    </message>
+    <message>
+        <source>%1 drop-outs of more than 5 ms (at most %2 a minute)</source>
+        <translation>przerwy dłuższe niż 5 ms: %1 (najwyżej %2 na minutę)</translation>
+    </message>
+    <message>
+        <source>tool state older than 10 ms in %1 of the ticks (at most %2)</source>
+        <translation>stan narzędzia starszy niż 10 ms w %1 cykli (najwyżej %2)</translation>
+    </message>
+    <message>
+        <source>force at its ceiling in %1 of the ticks (at most %2)</source>
+        <translation>siła na górnej granicy w %1 cykli (najwyżej %2)</translation>
+    </message>
+    <message>
+        <source>force lowered by motor heat in %1 of the ticks (at most %2)</source>
+        <translation>siła obniżona z powodu nagrzania silników w %1 cykli (najwyżej %2)</translation>
+    </message>
+    <message>
+        <source>the haptic port gave %1 mJ more than it took (at most %2 mJ)</source>
+        <translation>port haptyczny oddał o %1 mJ więcej, niż pobrał (najwyżej %2 mJ)</translation>
+    </message>
+    <message>
+        <source>frame_s is %1, expected 0.00001 to 0.1</source>
+        <translation>frame_s wynosi %1, oczekiwano od 0.00001 do 0.1</translation>
+    </message>
+    <message>
+        <source>sample_s is %1, expected 0.001 to 1</source>
+        <translation>sample_s wynosi %1, oczekiwano od 0.001 do 1</translation>
+    </message>
+    <message>
+        <source>it has %1 tools, expected 1 to %2</source>
+        <translation>liczba narzędzi: %1, oczekiwano od 1 do %2</translation>
+    </message>
+    <message>
+        <source>duration_s is %1, expected 0 to %2</source>
+        <translation>duration_s wynosi %1, oczekiwano od 0 do %2</translation>
+    </message>
+    <message>
+        <source>%1 entries are lost, of %2 inputs</source>
+        <translation>utracone wpisy: %1, przy liczbie wejść %2</translation>
+    </message>
+    <message>
+        <source>its inputs last %1 s, its end says %2 s</source>
+        <translation>jego wejścia trwają %1 s, a zakończenie podaje %2 s</translation>
+    </message>
+    <message>
+        <source>%1 has %2 points, expected 3 or more</source>
+        <translation>%1: liczba punktów %2, oczekiwano co najmniej 3</translation>
+    </message>
+    <message>
+        <source>%1 has a point that lies nowhere</source>
+        <translation>%1 ma punkt, który nie leży nigdzie</translation>
+    </message>
+    <message>
+        <source>target_depth_m is %1</source>
+        <translation>target_depth_m wynosi %1</translation>
+    </message>
+    <message>
+        <source>placode_volume_m3 is %1</source>
+        <translation>placode_volume_m3 wynosi %1</translation>
+    </message>
+    <message>
+        <source>the input of frame %1 follows that of frame %2</source>
+        <translation>wejście klatki %1 następuje po wejściu klatki %2</translation>
+    </message>
+    <message>
+        <source>the input of frame %1 is of %2 tools, expected %3</source>
+        <translation>wejście klatki %1 ma narzędzi: %2, oczekiwano %3</translation>
+    </message>
+    <message>
+        <source>the input of frame %1 has %2 substeps</source>
+        <translation>wejście klatki %1 ma podkroków: %2</translation>
+    </message>
+    <message>
+        <source>the input of frame %1 has a hand that lies nowhere</source>
+        <translation>wejście klatki %1 ma dłoń, która nie leży nigdzie</translation>
+    </message>
+    <message>
+        <source>sample %1 has a tip that lies nowhere</source>
+        <translation>próbka %1 ma końcówkę, która nie leży nigdzie</translation>
+    </message>
+    <message>
+        <source>sample %1 has a tool that points nowhere</source>
+        <translation>próbka %1 ma narzędzie, które nie wskazuje żadnego kierunku</translation>
+    </message>
+    <message>
+        <source>sample %1 has a force that is no number</source>
+        <translation>próbka %1 ma siłę, która nie jest liczbą</translation>
+    </message>
+    <message>
+        <source>sample %1 has a jaw or a power that is no number</source>
+        <translation>próbka %1 ma szczęki lub moc, które nie są liczbą</translation>
+    </message>
+    <message>
+        <source>sample %1 has a distance that is no number</source>
+        <translation>próbka %1 ma odległość, która nie jest liczbą</translation>
+    </message>
+    <message>
+        <source>sample %1 has a temperature, dose or volume that cannot be</source>
+        <translation>próbka %1 ma niemożliwą temperaturę, dawkę lub objętość</translation>
+    </message>
+    <message>
+        <source>sample %1 has a share that was cut beyond 0 to 1</source>
+        <translation>próbka %1 ma udział przecięcia spoza zakresu od 0 do 1</translation>
+    </message>
+    <message>
+        <source>sample %1 is at %2 s, the one before it at %3 s</source>
+        <translation>próbka %1 jest w chwili %2 s, poprzednia w chwili %3 s</translation>
+    </message>
+    <message>
+        <source>its samples go on to %1 s, its end says %2 s</source>
+        <translation>jego próbki sięgają %1 s, a zakończenie podaje %2 s</translation>
+    </message>
+    <message>
+        <source>%1 samples for %2 s, expected %3</source>
+        <translation>liczba próbek: %1 na %2 s, oczekiwano %3</translation>
+    </message>
+    <message>
+        <source>event %1 is at %2 s of %3 s</source>
+        <translation>zdarzenie %1 jest w chwili %2 s z %3 s</translation>
+    </message>
+    <message>
+        <source>event %1 has a value that is no number</source>
+        <translation>zdarzenie %1 ma wartość, która nie jest liczbą</translation>
+    </message>
+    <message>
+        <source>final_hash is not the hash of its last state</source>
+        <translation>final_hash nie jest skrótem jego ostatniego stanu</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a number</source>
@@ -10620,6 +10780,50 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>item %1 is not part of questionnaire %2</source>
         <translation>pytanie %1 nie należy do kwestionariusza %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <translation>%1 w chwili %2 s</translation>
+    </message>
+    <message>
+        <source>entries that were lost</source>
+        <translation>utracone wpisy</translation>
+    </message>
+    <message>
+        <source>frame or sample time</source>
+        <translation>czas klatki lub próbki</translation>
+    </message>
+    <message>
+        <source>the field</source>
+        <translation>pole operacyjne</translation>
+    </message>
+    <message>
+        <source>the instruments</source>
+        <translation>narzędzia</translation>
+    </message>
+    <message>
+        <source>event &quot;%1&quot;</source>
+        <translation>zdarzenie „%1”</translation>
+    </message>
+    <message>
+        <source>a sample</source>
+        <translation>próbka</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>stan</translation>
+    </message>
+    <message>
+        <source>the number of samples</source>
+        <translation>liczba próbek</translation>
+    </message>
+    <message>
+        <source>the duration</source>
+        <translation>czas trwania</translation>
+    </message>
+    <message>
+        <source>the number of events</source>
+        <translation>liczba zdarzeń</translation>
     </message>
 </context>
 <context>
