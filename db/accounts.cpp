@@ -53,15 +53,21 @@ void Accounts::need_free_login(const std::string& key, int64_t but_of) {
 int64_t Accounts::insert_user(const NewUser& user, const std::string& hash) {
     const std::string key = login_key(user.login);
     need_free_login(key);
-    Statement insert(connection_,
-                     "INSERT INTO accounts (password_hash, roles, active, demonstration, "
-                     "created_utc, password_given) VALUES (?, ?, 1, ?, ?, ?) RETURNING id");
-    insert.run(hash, int{user.roles}, user.demonstration, utc_now(), user.password_given);
-    const int64_t id = insert.returned_id();
-    Statement(connection_,
-              "INSERT INTO persons (account_id, login, login_key, display_name) VALUES (?, ?, ?, "
-              "?)")
-        .run(id, user.login, key, user.display_name);
+    int64_t id = 0;
+    if (context_.server.guards()) {
+        id = context_.server.add_account({hash, user.roles, user.demonstration, user.password_given,
+                                          utc_now(), user.login, key, user.display_name});
+    } else {
+        Statement insert(connection_,
+                         "INSERT INTO accounts (password_hash, roles, active, demonstration, "
+                         "created_utc, password_given) VALUES (?, ?, 1, ?, ?, ?) RETURNING id");
+        insert.run(hash, int{user.roles}, user.demonstration, utc_now(), user.password_given);
+        id = insert.returned_id();
+        Statement(connection_,
+                  "INSERT INTO persons (account_id, login, login_key, display_name) VALUES (?, ?, "
+                  "?, ?)")
+            .run(id, user.login, key, user.display_name);
+    }
     context_.made("user", id);
     context_.append_audit("user.create", user_object(id), "roles " + std::to_string(user.roles));
     return id;
@@ -76,8 +82,12 @@ void Accounts::set_password(int64_t user_id, const std::string& password, bool g
     const std::string hash = hash_password(password, context_.options.cheap_passwords);
     UnitOfWork work(connection_);
     context_.touch("user", user_id);
-    Statement(connection_, "UPDATE accounts SET password_hash = ?, password_given = ? WHERE id = ?")
-        .run(hash, given, user_id);
+    if (context_.server.guards())
+        context_.server.set_password(user_id, hash, given);
+    else
+        Statement(connection_,
+                  "UPDATE accounts SET password_hash = ?, password_given = ? WHERE id = ?")
+            .run(hash, given, user_id);
     Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
         .run(failures_key(user.login));
     Statement(connection_, "DELETE FROM account_pins WHERE account_id = ?").run(user_id);

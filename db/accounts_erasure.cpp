@@ -115,9 +115,11 @@ void Accounts::erase(int64_t user_id, bool with_attempts) {
                               "course_grants", "certificates"})
         Statement(connection_, std::string("DELETE FROM ") + table + " WHERE account_id = ?")
             .run(user_id);
-    Statement(connection_,
-              "UPDATE accounts SET active = 0, password_hash = '', roles = 0 WHERE id = ?")
-        .run(user_id);
+    if (context_.server.guards())
+        context_.server.set_password(user_id, "", user.password_given);
+    else
+        Statement(connection_, "UPDATE accounts SET password_hash = '' WHERE id = ?").run(user_id);
+    Statement(connection_, "UPDATE accounts SET active = 0, roles = 0 WHERE id = ?").run(user_id);
     Statement(connection_,
               "INSERT INTO erasure_requests (account_id, reason, asked_utc, done_utc) VALUES (?, "
               "'', ?, ?) ON CONFLICT (account_id) DO UPDATE SET reason = '', done_utc = "

@@ -103,16 +103,30 @@ int64_t Accounts::accept_invitation(const std::string& code, const NewUser& user
         connection_.fail(
             Kind::kRefused,
             Said::that("the invitation ended on %1; ask for another one").with(expires));
-    const int64_t user_id = insert_user(invited, hash);
-    context_.touch("invitation", id);
-    if (group != 0) context_.touch("group", group);
-    if (group != 0)
-        Statement(connection_,
-                  "INSERT INTO group_members (group_id, account_id, teaches) VALUES (?, ?, 0)")
-            .run(group, user_id);
-    // For whom it was has served: the account says it now, and erasure would miss it here.
-    Statement(connection_, "UPDATE invitations SET used_utc = ?, note = '' WHERE id = ?")
-        .run(utc_now(), id);
+    int64_t user_id = 0;
+    if (context_.server.guards()) {
+        context_.touch("invitation", id);
+        if (group != 0) context_.touch("group", group);
+        const std::string key = login_key(invited.login);
+        need_free_login(key);
+        user_id = context_.server.accept_invitation(
+            code, {hash, invited.roles, invited.demonstration, false, utc_now(), invited.login, key,
+                   invited.display_name});
+        context_.made("user", user_id);
+        context_.append_audit("user.create", user_object(user_id),
+                              "roles " + std::to_string(invited.roles));
+    } else {
+        user_id = insert_user(invited, hash);
+        context_.touch("invitation", id);
+        if (group != 0) context_.touch("group", group);
+        if (group != 0)
+            Statement(connection_,
+                      "INSERT INTO group_members (group_id, account_id, teaches) VALUES (?, ?, 0)")
+                .run(group, user_id);
+        // For whom it was has served: the account says it now, and erasure would miss it here.
+        Statement(connection_, "UPDATE invitations SET used_utc = ?, note = '' WHERE id = ?")
+            .run(utc_now(), id);
+    }
     context_.append_audit_as(user_object(user_id), "user.invited", user_object(user_id),
                              "invitation " + std::to_string(id));
     work.commit();

@@ -44,7 +44,9 @@ void Accounts::set_pin(int64_t user_id, const std::string& pin) {
     UnitOfWork work(connection_);
     context_.touch("user", user_id);
     Statement(connection_, "DELETE FROM account_pins WHERE account_id = ?").run(user_id);
-    if (!pin.empty())
+    if (!pin.empty() && context_.server.guards())
+        context_.server.set_pin(user_id, hash);
+    else if (!pin.empty())
         Statement(connection_,
                   "INSERT INTO account_pins (account_id, pin_hash, failures) VALUES (?, ?, 0)")
             .run(user_id, hash);
@@ -60,8 +62,14 @@ bool Accounts::has_pin(int64_t user_id) {
 
 SignIn Accounts::unlock(int64_t user_id, const std::string& pin) {
     connection_.begin_operation("unlock");
-    std::string hash;
-    {
+    const bool guarded = context_.server.guards();
+    bool right = false;
+    if (guarded) {
+        if (!has_pin(user_id)) return {};
+        connection_.begin_operation("unlock");
+        right = context_.server.enter_by_pin(user_id, pin) == user_id;
+    } else {
+        std::string hash;
         // Counted before it is looked at, so that tries in parallel count too.
         UnitOfWork work(connection_);
         connection_.lock_table("account_pins");
@@ -74,20 +82,26 @@ SignIn Accounts::unlock(int64_t user_id, const std::string& pin) {
                   "UPDATE account_pins SET failures = failures + 1 WHERE account_id = ?")
             .run(user_id);
         work.commit();
+        right = verify_password(hash, pin);
     }
-    if (!verify_password(hash, pin)) {
+    if (!right) {
         UnitOfWork work(connection_);
         context_.touch("user", user_id);
-        Statement(connection_, "DELETE FROM account_pins WHERE account_id = ? AND failures >= ?")
-            .run(user_id, kPinTries);
+        if (guarded)
+            context_.server.drop_worn_pin(user_id);
+        else
+            Statement(connection_,
+                      "DELETE FROM account_pins WHERE account_id = ? AND failures >= ?")
+                .run(user_id, kPinTries);
         context_.append_audit("sign_in.wrong_pin", user_object(user_id), "");
         work.commit();
         return {};
     }
     const UserRecord user = context_.need_user(user_id);
     UnitOfWork work(connection_);
-    Statement(connection_, "UPDATE account_pins SET failures = 0 WHERE account_id = ?")
-        .run(user_id);
+    if (!guarded)
+        Statement(connection_, "UPDATE account_pins SET failures = 0 WHERE account_id = ?")
+            .run(user_id);
     context_.append_audit_as(user_object(user_id),
                              user.active ? "sign_in.pin" : "sign_in.deactivated",
                              user_object(user_id), "");

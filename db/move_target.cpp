@@ -198,7 +198,7 @@ void MoveTarget::finishServer() {
     if (!place_of(connection) && first_chain(connection) == store_) return;
     if (!place_of(connection) || place_of(connection)->store != store_)
         connection.fail(Kind::kConflict, "the store that was moved there is gone");
-    renew_station_role(connection);
+    renew_station_role(connection, true);
     UnitOfWork work(connection);
     forget_place(connection);
     work.commit();

@@ -7,6 +7,7 @@
 #include <QList>
 #include <QString>
 #include <array>
+#include <regex>
 
 #include "db/packing.h"
 #include "db/store_error.h"
@@ -75,6 +76,40 @@ std::string hash_password(const std::string& password, bool cheap) {
         throw StoreError(StoreError::Kind::kUnavailable,
                          "hash a password: 64 MiB of memory are not free; close other programs");
     return hash.data();
+}
+
+std::string hash_password_as(const std::string& prefix, const std::string& password) {
+    need_sodium();
+    const auto refuse = [] {
+        throw StoreError(StoreError::Kind::kOther,
+                         "sign in: the server asks for a password hash that is not Argon2id within "
+                         "1 GiB and 10 passes; look at who set it up");
+    };
+    static const std::regex form(
+        R"(\$argon2id\$v=19\$m=(\d{1,8}),t=(\d{1,3}),p=1\$([A-Za-z0-9+/]{22})\$)");
+    std::smatch parts;
+    if (!std::regex_match(prefix, parts, form)) refuse();
+    // A server that is not what it seems does not make this computer work for hours.
+    const size_t memory_kib = std::stoul(parts[1]), passes = std::stoul(parts[2]);
+    std::array<unsigned char, crypto_pwhash_SALTBYTES> salt{};
+    const std::string letters = parts[3];
+    size_t read = 0;
+    if (memory_kib > (size_t{1} << 20) || passes > 10 ||
+        sodium_base642bin(salt.data(), salt.size(), letters.data(), letters.size(), nullptr, &read,
+                          nullptr, sodium_base64_VARIANT_ORIGINAL_NO_PADDING) != 0 ||
+        read != salt.size())
+        refuse();
+    const std::string text = composed(password);
+    std::array<unsigned char, 32> raw{};
+    if (crypto_pwhash(raw.data(), raw.size(), text.data(), text.size(), salt.data(), passes,
+                      memory_kib * 1024, crypto_pwhash_ALG_ARGON2ID13) != 0)
+        throw StoreError(StoreError::Kind::kUnavailable,
+                         "hash a password: the memory for it is not free; close other programs");
+    std::array<char, sodium_base64_ENCODED_LEN(32, sodium_base64_VARIANT_ORIGINAL_NO_PADDING)>
+        end{};
+    sodium_bin2base64(end.data(), end.size(), raw.data(), raw.size(),
+                      sodium_base64_VARIANT_ORIGINAL_NO_PADDING);
+    return prefix + end.data();
 }
 
 bool verify_password(const std::string& hash, const std::string& password) {

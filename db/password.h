@@ -19,6 +19,9 @@ inline constexpr int kLeastPasswordLength = 10;  ///< Characters.
 
 /// Throws StoreError when memory for hashing is missing. @param cheap tests only.
 [[nodiscard]] std::string hash_password(const std::string& password, bool cheap);
+/// With the limits and salt of a hash that was made before, which stand at its begin up to the last
+/// "$". Throws StoreError for limits that no program of ours would set.
+[[nodiscard]] std::string hash_password_as(const std::string& prefix, const std::string& password);
 [[nodiscard]] bool verify_password(const std::string& hash, const std::string& password);
 /// True when the hash was made with other limits than today's.
 [[nodiscard]] bool password_needs_rehash(const std::string& hash);

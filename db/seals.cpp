@@ -50,6 +50,20 @@ size_t key_columns(const SealPart& part) {
         std::count_if(part.key.begin(), part.key.end(), [](View each) { return !each.empty(); }));
 }
 
+/// Of rows that this log-in to a server may not read in whole the server makes the checksum itself
+/// (db/station_guard_sql.cpp); nullptr: it may.
+const char* checksum_function(Connection& connection, const SealPart& part) {
+    const bool account = part.table == "accounts";
+    if ((!account && part.table != "account_pins") || !connection.hides_passwords()) return nullptr;
+    return account ? "placode_guard.seal_of_account" : "placode_guard.seal_of_pin";
+}
+
+std::string checksums_of(const char* function, const SealPart& part, bool of_one) {
+    const std::string key(part.key.front()), table(part.table);
+    return "SELECT " + key + ", " + function + "(" + key + ") FROM " + table +
+           (of_one ? " WHERE " + key + " = ?" : "") + " ORDER BY " + key;
+}
+
 std::string rows_of(const SealPart& part, bool of_one, bool sqlite) {
     const std::string keys = listed(part.key), also = listed(part.order);
     const std::string order = order_of(part, sqlite);
@@ -75,15 +89,18 @@ void add_row(std::string& rows, const Statement& query, size_t first) {
 }
 
 /// What a part adds to the object's seal.
-std::string part_text(size_t number, const std::string& rows) {
-    return std::to_string(number) + " " + checksum_hex(rows) + "\n";
+/// @param rows already their checksum where the server has made it
+std::string part_text(size_t number, const std::string& rows, bool is_checksum) {
+    return std::to_string(number) + " " + (is_checksum ? rows : checksum_hex(rows)) + "\n";
 }
 
 void add_part(Connection& connection, const SealKind& kind, size_t number,
               std::map<SealedObject, std::string>& texts) {
     const SealPart& part = kind.parts[number];
     const size_t keys = key_columns(part);
-    Statement query(connection, rows_of(part, false, connection.is_sqlite()));
+    const char* const summed = checksum_function(connection, part);
+    Statement query(connection, summed != nullptr ? checksums_of(summed, part, false)
+                                                  : rows_of(part, false, connection.is_sqlite()));
     query.run();
     SealedObject object{std::string(kind.name), {}};
     std::string rows;
@@ -91,9 +108,9 @@ void add_part(Connection& connection, const SealKind& kind, size_t number,
         if (rows.empty()) return;
         // Rows of an object that is not sealed, or not there.
         if (number == 0)
-            texts[object] = part_text(number, rows);
+            texts[object] = part_text(number, rows, summed != nullptr);
         else if (const auto found = texts.find(object); found != texts.end())
-            found->second += part_text(number, rows);
+            found->second += part_text(number, rows, summed != nullptr);
         rows.clear();
     };
     std::vector<std::string> key(keys);
@@ -103,7 +120,10 @@ void add_part(Connection& connection, const SealKind& kind, size_t number,
             finish();
             object.key = key;
         }
-        add_row(rows, query, keys);
+        if (summed != nullptr)
+            rows = query.text(1);
+        else
+            add_row(rows, query, keys);
     }
     finish();
 }
@@ -125,12 +145,19 @@ std::string seal_of(Connection& connection, const SealedObject& object) {
         for (const std::string& key : object.key)
             values.emplace_back(kind.numeric ? QVariant(qlonglong{std::stoll(key)})
                                              : QVariant(QString::fromStdString(key)));
-        Statement query(connection, rows_of(part, true, connection.is_sqlite()));
+        const char* const summed = checksum_function(connection, part);
+        Statement query(connection, summed != nullptr
+                                        ? checksums_of(summed, part, true)
+                                        : rows_of(part, true, connection.is_sqlite()));
         query.run_list(values);
         std::string rows;
-        while (query.next()) add_row(rows, query, key_columns(part));
+        while (query.next())
+            if (summed != nullptr)
+                rows = query.text(1);
+            else
+                add_row(rows, query, key_columns(part));
         if (rows.empty() && number == 0) return kNoObject;
-        if (!rows.empty()) text += part_text(number, rows);
+        if (!rows.empty()) text += part_text(number, rows, summed != nullptr);
     }
     return checksum_hex(text);
 }

@@ -140,7 +140,20 @@ void Connection::open() {
 
 void Connection::begin_operation(const std::string& operation) {
     operation_ = operation;
-    if (!database_.isOpen()) open();
+    if (database_.isOpen()) return;
+    open();
+    if (reopened_) reopened_();
+}
+
+bool Connection::hides_passwords() {
+    if (is_sqlite()) return false;
+    if (!hides_passwords_) {
+        Statement query(*this,
+                        "SELECT CASE WHEN has_column_privilege('accounts', 'password_hash', "
+                        "'SELECT') THEN 0 ELSE 1 END");
+        hides_passwords_ = query.run().next() && query.integer(0) != 0;
+    }
+    return *hides_passwords_;
 }
 
 void Connection::begin_transaction() {

@@ -37,6 +37,11 @@ class Connection {
     /// Called when a transaction began, before it is committed, within it, and when it was.
     void watch_transactions(std::function<void()> begun, std::function<void()> committing,
                             std::function<void()> committed = {});
+    /// Called when begin_operation() has opened a connection that a server had dropped.
+    void after_reopening(std::function<void()> reopened) { reopened_ = std::move(reopened); }
+    /// Whether this log-in may not read hashes of passwords: the server compares them itself
+    /// (db/server_session.h). Asked once; the tables have to be there.
+    [[nodiscard]] bool hides_passwords();
     void execute(const std::string& sql);  ///< One statement, no parameters, no result.
     /// Keeps others that ask for the same away from a table until the transaction ends. SQLite has
     /// done so already.
@@ -60,7 +65,8 @@ class Connection {
     QSqlDatabase database_;
     std::string operation_ = "open";
     bool in_transaction_ = false;
-    std::function<void()> begun_, committing_, committed_;
+    std::function<void()> begun_, committing_, committed_, reopened_;
+    std::optional<bool> hides_passwords_;
     std::function<std::optional<Said>()> meaning_of_refusal_;
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "db/station_guard.h"
+
 namespace placode::db {
 namespace {
 
@@ -17,10 +19,10 @@ struct TableRight {
 // Beside reading and adding rows. What stands here is what statements in db/*.cpp do; the tests of
 // the store run with a station's log-in and find what is missing.
 constexpr std::array kRights{
-    TableRight{"accounts", "password_hash, password_given, roles, active"},
+    TableRight{"accounts", "roles, active"},
     TableRight{"persons", "", true},
     TableRight{"sign_in_failures", "failures, last_ms", true},
-    TableRight{"account_pins", "failures", true},
+    TableRight{"account_pins", "", true},
     TableRight{"invitations", "used_utc, note"},
     TableRight{"erasure_requests", "reason, done_utc"},
     TableRight{"group_members", "", true},
@@ -59,7 +61,7 @@ constexpr const char* kOwns =
     "tableowner, 'MEMBER'))";
 
 // What a station should not be able to do, as SQL, and how it is said.
-constexpr std::array<std::pair<const char*, const char*>, 5> kBeyond{{
+constexpr std::array<std::pair<const char*, const char*>, 7> kBeyond{{
     {"(SELECT rolsuper FROM pg_roles WHERE rolname = current_user)",
      "is superuser of the server: it reads and changes everything"},
     {"(SELECT rolcreaterole FROM pg_roles WHERE rolname = current_user)",
@@ -73,10 +75,16 @@ constexpr std::array<std::pair<const char*, const char*>, 5> kBeyond{{
      "'UPDATE')",
      "may change scores, published texts or the trail"},
     {"has_schema_privilege('public', 'CREATE')", "may make tables and functions"},
+    {"EXISTS (SELECT FROM pg_roles WHERE rolname = 'placode_service' AND NOT (SELECT rolsuper FROM "
+     "pg_roles WHERE rolname = current_user) AND pg_has_role(current_user, oid, 'MEMBER'))",
+     "is a service's: the server takes its word for whom it works, so it is not for people"},
+    {"has_column_privilege('accounts', 'password_hash', 'SELECT')", "may read hashes of passwords"},
 }};
 
 std::vector<std::string> grants() {
     std::vector<std::string> sql{
+        "DO $$ BEGIN EXECUTE format('REVOKE TEMPORARY ON DATABASE %I FROM PUBLIC', "
+        "current_database()); END $$",
         "REVOKE CREATE ON SCHEMA public FROM PUBLIC",
         "GRANT USAGE ON SCHEMA public TO " + kRole,
         "REVOKE ALL ON ALL TABLES IN SCHEMA public FROM PUBLIC, " + kRole,
@@ -90,6 +98,7 @@ std::vector<std::string> grants() {
         if (right.removes)
             sql.push_back(std::string("GRANT DELETE ON ") + right.table + " TO " + kRole);
     }
+    for (std::string& each : station_guard_statements()) sql.push_back(std::move(each));
     return sql;
 }
 
@@ -105,8 +114,14 @@ std::vector<std::string> station_role_statements() {
         kRole +
         " NOLOGIN;\n"
         "    END IF;\n"
-        "    EXECUTE format('REVOKE TEMPORARY ON DATABASE %I FROM PUBLIC', "
-        "current_database());\n"
+        "    IF NOT EXISTS (SELECT FROM pg_roles WHERE rolname = '" +
+        kServiceRole +
+        "') AND (SELECT rolcreaterole OR rolsuper FROM pg_roles WHERE rolname = current_user) "
+        "THEN\n"
+        "        CREATE ROLE " +
+        kServiceRole + " NOLOGIN IN ROLE " + kRole +
+        ";\n"
+        "    END IF;\n"
         "END $$"};
     for (std::string& each : grants()) sql.push_back(std::move(each));
     return sql;
@@ -145,16 +160,18 @@ bool has_station_role(Connection& connection) {
     return query.run(kRole).next() && query.integer(0) > 0;
 }
 
-void renew_station_role(Connection& connection) {
+void renew_station_role(Connection& connection, bool changed) {
     if (!has_station_role(connection)) return;
+    if (!changed && (!owns_tables(connection) || has_station_guard(connection))) return;
     UnitOfWork work(connection);
     for (const std::string& each : grants()) connection.execute(each);
     work.commit();
 }
 
-std::vector<std::string> station_role_problems(Connection& connection) {
+namespace {
+
+std::vector<std::string> what_it_may_beyond(Connection& connection) {
     std::vector<std::string> problems;
-    if (connection.is_sqlite()) return problems;
     std::string columns;
     for (const auto& [condition, problem] : kBeyond)
         columns += (columns.empty() ? "CASE WHEN " : ", CASE WHEN ") + std::string(condition) +
@@ -169,14 +186,30 @@ std::vector<std::string> station_role_problems(Connection& connection) {
     return problems;
 }
 
+}  // namespace
+
+std::vector<std::string> station_role_problems(Connection& connection) {
+    if (connection.is_sqlite()) return {};
+    std::vector<std::string> problems = what_it_may_beyond(connection);
+    if (has_station_role(connection))
+        for (std::string& each : station_guard_problems(connection))
+            problems.push_back(std::move(each));
+    return problems;
+}
+
 void need_station_role(Connection& connection) {
     if (!has_station_role(connection)) return;
-    const auto problems = station_role_problems(connection);
+    const auto problems = what_it_may_beyond(connection);
     if (!problems.empty())
         connection.fail(StoreError::Kind::kRefused,
                         Said::that("this log-in to the server can do more than a station should "
                                    "(%1); use one that is member of placode_station")
                             .with(problems.front()));
+    if (!station_guard_problems(connection).empty())
+        connection.fail(
+            StoreError::Kind::kRefused,
+            Said::that("the rules that the server keeps by itself are missing or of another "
+                       "version; the owner of its tables runs `placodectl station role --apply`"));
 }
 
 }  // namespace placode::db

@@ -4,8 +4,9 @@
 // What a station's log-in may do on a centre's PostgreSQL: what the programs do, and nothing else.
 // The tables belong to the owner's role, which creates and updates them; stations are members of
 // the group `placode_station`. A member cannot change scores, recordings, published texts or the
-// trail, cannot drop a table or switch a trigger off. What it may change past the programs shows
-// in the seals (db/seals.h).
+// trail, cannot drop a table or switch a trigger off; accounts, courses and records of studies it
+// changes as whoever has signed in may (db/station_guard.h). What it may change past the programs
+// shows in the seals (db/seals.h).
 
 #include <string>
 #include <vector>
@@ -23,8 +24,10 @@ inline constexpr const char* kStationRole = "placode_station";
 /// Runs them. Throws StoreError, kRefused for an embedded store and where the log-in may not.
 void give_station_role(Connection& connection);
 
-/// After an update: gives the group its rights on new tables, where there is the group.
-void renew_station_role(Connection& connection);
+/// After an update: gives the group its rights on new tables, where there is the group; `changed`:
+/// the tables are new. Without that only the owner does it, where the server's own rules
+/// (db/station_guard.h) are of another version of the program.
+void renew_station_role(Connection& connection, bool changed);
 
 /// Whether this log-in to a server owns tables there, and so may do all with them.
 [[nodiscard]] bool owns_tables(Connection& connection);

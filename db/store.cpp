@@ -13,8 +13,10 @@
 
 #include "db/durable_file.h"
 #include "db/foreign_store.h"
+#include "db/password.h"
 #include "db/schema.h"
 #include "db/sqlite_file.h"
+#include "db/station_guard.h"
 #include "db/station_role.h"
 #include "db/store_context.h"
 #include "db/store_place.h"
@@ -124,7 +126,10 @@ void bring_up_to_date(StoreContext& context) {
     connection.begin_operation("open");
     if (connection.is_sqlite()) claim_sqlite_file(connection);
     need_settled(connection);
-    connection.explain_refusals([&connection] { return moved_meanwhile(connection); });
+    connection.explain_refusals([&connection] {
+        const auto moved = moved_meanwhile(connection);
+        return moved ? moved : std::optional<Said>(guard_refusal());
+    });
     const auto& set = context.options.migrations;
     const bool changed =
         migrate(connection, set.empty() ? embedded_migrations() : set, [&context, &connection] {
@@ -136,7 +141,7 @@ void bring_up_to_date(StoreContext& context) {
                                     "); restore a backup with `placodectl restore FILE`");
             keep_checked_copy(context, connection.url().path + ".before-update-" + file_stamp());
         });
-    if (changed) renew_station_role(connection);
+    renew_station_role(connection, changed);
     seal_what_was_there(context);
     if (context.options.station) need_station_role(connection);
 }
@@ -162,6 +167,13 @@ void Store::act_as(const std::string& actor) {
     context_->connection.begin_operation("name the program in");
     if (context_->actor.kind != Actor::Kind::kProgram) context_->refuse(Action::kActAs);
     context_->actor.name = context_->kept_name(actor);
+    // A program that works in the name of who has signed in in it may on a server what they may.
+    int64_t account = 0;
+    {
+        Statement query(context_->connection, "SELECT account_id FROM persons WHERE login_key = ?");
+        if (query.run(login_key(actor)).next()) account = query.integer(0);
+    }
+    if (account != 0) context_->server.resume(account);
 }
 
 void Store::act_for(int64_t account_id) {
@@ -170,9 +182,13 @@ void Store::act_for(int64_t account_id) {
     if (actor.kind != Actor::Kind::kProgram && !context_->is_self(account_id))
         context_->refuse(Action::kActAs);
     context_->become(account_id);
+    context_->server.resume(account_id);
 }
 
-void Store::sign_out() { context_->actor = {"unknown", Actor::Kind::kNobody, 0}; }
+void Store::sign_out() {
+    context_->actor = {"unknown", Actor::Kind::kNobody, 0};
+    context_->server.leave();
+}
 
 std::string Store::url() const { return context_->connection.url().shown; }
 

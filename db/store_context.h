@@ -16,6 +16,7 @@
 #include "db/attempts.h"
 #include "db/records.h"
 #include "db/seals.h"
+#include "db/server_session.h"
 #include "db/sql_connection.h"
 #include "db/station.h"
 #include "db/store_options.h"
@@ -47,6 +48,7 @@ struct StoreContext {
     StoreContext& operator=(const StoreContext&) = delete;
 
     Connection connection;
+    ServerSession server{connection};  ///< Who acts, as the server sees it.
     StoreOptions options;
     Actor actor;
     Station station;

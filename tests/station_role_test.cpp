@@ -122,7 +122,8 @@ TEST_P(StationRole, NoAttackBySqlGetsAnywhere) {
     EXPECT_EQ(open()->attempts().detail(attempt_).record.points, make_result().score.points);
 }
 
-// A log-in that can save attempts and manage people can do so by SQL as well. It shows.
+// A log-in of a program of the centre manages people without anybody signing in, and a station
+// saves attempts: both can do so by SQL as well. It shows.
 TEST_P(StationRole, WhatItDoesPastTheProgramsShows) {
     const std::string person = std::to_string(person_), attempt = std::to_string(attempt_);
     size_t before = seals().size();
@@ -133,10 +134,12 @@ TEST_P(StationRole, WhatItDoesPastTheProgramsShows) {
           "UPDATE attempts SET void_meaning = '[]' WHERE id = " + attempt,
           std::string("INSERT INTO accounts (password_hash, roles, active, demonstration, "
                       "created_utc) VALUES ('', 15, 1, 0, '2026-01-01T00:00:00.000Z')"),
-          "DELETE FROM recordings WHERE attempt_id = " + attempt +
-              "; DELETE FROM attempt_events WHERE attempt_id = " + attempt}) {
-        RawConnection station = at_the_station();
-        ASSERT_TRUE(station.run(edit)) << edit << ": " << station.problem();
+          "DELETE FROM attempt_events WHERE attempt_id = " + attempt +
+              "; DELETE FROM recordings WHERE attempt_id = " + attempt}) {
+        const bool saves = edit.find("void_reason") != std::string::npos;
+        EXPECT_EQ(at_the_station().run(edit), saves) << edit;
+        RawConnection service = World::get().server().connect_service(database);
+        ASSERT_TRUE(service.run(edit)) << edit << ": " << service.problem();
         const auto found = seals();
         EXPECT_THAT(found, Not(IsEmpty())) << edit;
         EXPECT_GE(found.size(), before) << edit;
@@ -152,30 +155,40 @@ TEST_P(StationRole, APersonsProgramRefusesTheOwner) {
     EXPECT_EQ(std::string(refused.what()).find(World::get().server().password()),
               std::string::npos);
     EXPECT_NO_THROW((void)owner());
+    db::StoreOptions its = options;
+    its.station = true;
     EXPECT_EQ(failure_of([&] {
-                  (void)db::open_for_reading(World::get().server().url(database), person_, options);
+                  (void)db::open_for_reading(World::get().server().url(database), person_, its);
               }).kind(),
               StoreError::Kind::kRefused);
-    EXPECT_NO_THROW((void)db::open_for_reading(url(), person_, options));
+    EXPECT_NO_THROW((void)open_at_station());
+    EXPECT_NO_THROW(
+        (void)db::open_for_reading(World::get().server().station_url(database), person_, its));
+    // Nor does it take a log-in whose word the server believes.
+    const StoreError trusted = failure_of([&] { (void)db::open_store(url(), its); });
+    EXPECT_EQ(trusted.kind(), StoreError::Kind::kRefused);
+    EXPECT_THAT(trusted.what(), HasSubstr("is a service's"));
 }
 
 TEST_P(StationRole, SaysWhatALogInMayDoBeyond) {
-    EXPECT_THAT(open()->role_problems(), IsEmpty());
+    EXPECT_THAT(open_at_station()->role_problems(), IsEmpty());
+    EXPECT_THAT(open()->role_problems(), SizeIs(1)) << "a service's log-in";
     EXPECT_THAT(owner()->role_problems(), Not(IsEmpty()));
     RawConnection admin = raw();
     ASSERT_TRUE(admin.run("GRANT UPDATE ON attempts TO theatre"));
     db::StoreOptions plain = options;
     plain.station = false;
-    const auto problems = db::open_store(url(), plain)->role_problems();
+    const auto problems =
+        db::open_store(World::get().server().station_url(database), plain)->role_problems();
     EXPECT_THAT(problems, SizeIs(1));
     EXPECT_THAT(problems.front(), HasSubstr("may change scores"));
     // What was given by hand is taken back by the script for the group only: said until then.
     ASSERT_TRUE(admin.run("REVOKE UPDATE ON attempts FROM theatre"));
-    EXPECT_THAT(open()->role_problems(), IsEmpty());
+    EXPECT_THAT(open_at_station()->role_problems(), IsEmpty());
 }
 
 TEST_P(StoreTest, AFileHasNoLogIns) {
-    EXPECT_THAT(open()->role_problems(), IsEmpty());
+    EXPECT_THAT(open_at_station()->role_problems(), IsEmpty());
     EXPECT_EQ(failure_of([&] { open()->give_station_role(); }).kind(), StoreError::Kind::kRefused);
 }
 

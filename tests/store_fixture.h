@@ -27,6 +27,7 @@
 #include <string>
 #include <thread>
 
+#include "db/station_guard.h"
 #include "db/station_role.h"
 #include "db/store.h"
 
@@ -168,6 +169,12 @@ class PostgresqlServer {
     [[nodiscard]] RawConnection connect(const std::string& database) const {
         return {"QPSQL", database, port_, password_};
     }
+    /// As a program of the centre, which has what a station may do to rows, and whose word the
+    /// server takes for whom it works (db/station_guard.h).
+    [[nodiscard]] std::string service_url(const std::string& database) const {
+        return "postgresql://jobs:" + password_ + "@127.0.0.1:" + std::to_string(port_) + "/" +
+               database;
+    }
     /// As a station: a log-in that was given what db/station_role.h says.
     [[nodiscard]] std::string station_url(const std::string& database) const {
         return "postgresql://theatre:" + password_ + "@127.0.0.1:" + std::to_string(port_) + "/" +
@@ -178,15 +185,30 @@ class PostgresqlServer {
     }
     void make_station(const std::string& database) const {
         RawConnection owner = connect(database);
-        std::vector<std::string> statements = db::station_role_statements();
-        statements.push_back(
-            "DO $$ BEGIN IF NOT EXISTS (SELECT FROM pg_roles WHERE rolname = 'theatre') THEN "
-            "CREATE ROLE theatre LOGIN PASSWORD '" +
-            password_ + "' IN ROLE " + db::kStationRole + "; END IF; END $$");
+        std::vector<std::string> statements;
+        // From the second database on there is the group, and whoever made the tables gave it its
+        // rights.
+        if (owner.value("SELECT COUNT(*) FROM pg_namespace WHERE nspname = 'placode_guard'") == "0")
+            statements = db::station_role_statements();
+        for (const auto& [login, group] :
+             {std::pair("theatre", db::kStationRole), std::pair("jobs", db::kServiceRole)})
+            statements.push_back(
+                std::string("DO $$ BEGIN IF NOT EXISTS (SELECT FROM pg_roles WHERE "
+                            "rolname = '") +
+                login + "') THEN CREATE ROLE " + login + " LOGIN PASSWORD '" + password_ +
+                "' IN ROLE " + group + "; END IF; END $$");
         for (const std::string& each : statements)
             if (!owner.run(each)) throw std::runtime_error(owner.problem() + "\n" + each);
     }
+    [[nodiscard]] RawConnection connect_service(const std::string& database) const {
+        return {"QPSQL", database, port_, password_, "jobs"};
+    }
     [[nodiscard]] const std::string& password() const { return password_; }
+    /// All that the server has said.
+    [[nodiscard]] std::string log() const {
+        std::ifstream in(folder_->file("log"));
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
 
  private:
     inline static const std::string kPrograms = "/usr/lib/postgresql/15/bin/";
@@ -232,10 +254,6 @@ class PostgresqlServer {
         return ntohs(address.sin_port);
     }
     [[nodiscard]] bool ready() const { return connect("postgres").is_open(); }
-    [[nodiscard]] std::string log() const {
-        std::ifstream in(folder_->file("log"));
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
 
     std::unique_ptr<TemporaryFolder> folder_;
     std::string password_, problem_;
@@ -297,12 +315,12 @@ class EngineTest : public testing::TestWithParam<const char*> {
             if (at_station()) {
                 (void)db::open_store(server.url(database), options);  // Makes the tables.
                 server.make_station(database);
-                options.station = true;
             }
         }
         ready();
     }
-    /// On a server all is done with a station's log-in; the owner has made the tables before.
+    /// On a server all is done with what a station may do to rows; the owner has made the tables
+    /// before. No person signs in to most tests, so their log-in is a service's.
     [[nodiscard]] virtual bool at_station() const { return !owner_; }
     /// From here on with the log-in that made the tables, as updates are.
     void become_owner() {
@@ -326,7 +344,14 @@ class EngineTest : public testing::TestWithParam<const char*> {
     [[nodiscard]] std::string url() const {
         if (is_sqlite()) return "sqlite:" + folder.file("placode.db");
         const PostgresqlServer& server = World::get().server();
-        return at_station() ? server.station_url(database) : server.url(database);
+        return at_station() ? server.service_url(database) : server.url(database);
+    }
+    /// Where people sit: the server believes nothing that is not proved.
+    [[nodiscard]] std::unique_ptr<db::Store> open_at_station() const {
+        if (is_sqlite()) return open();
+        db::StoreOptions its = options;
+        its.station = true;
+        return db::open_store(World::get().server().station_url(database), its);
     }
     [[nodiscard]] std::unique_ptr<db::Store> open() const { return db::open_store(url(), options); }
     [[nodiscard]] RawConnection raw() const {

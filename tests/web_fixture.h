@@ -131,7 +131,10 @@ class WebTest : public EngineTest {
     [[nodiscard]] std::unique_ptr<PortalAtWork> start(const web::ServerLimits& limits = {},
                                                       bool behind_tls = false) {
         web::PortalOptions portal_options;
-        portal_options.store_url = url();
+        // As it is set up: with a station's log-in, to which the server believes nothing.
+        portal_options.store_url =
+            is_sqlite() ? url() : World::get().server().station_url(database);
+        portal_options.store.station = !is_sqlite();
         portal_options.store.cheap_passwords = true;
         portal_options.behind_tls = behind_tls;
         portal_options.now_s = [this] { return now_s.load(); };

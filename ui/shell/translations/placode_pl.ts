@@ -10178,6 +10178,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>ten login do serwera może więcej niż powinno stanowisko (%1); użyj loginu, który należy do placode_station</translation>
     </message>
     <message>
+        <source>the rules that the server keeps by itself are missing or of another version; the owner of its tables runs `placodectl station role --apply`</source>
+        <translation>brak reguł, których serwer pilnuje sam, albo są z innej wersji; właściciel tabel uruchamia `placodectl station role --apply`</translation>
+    </message>
+    <message>
+        <source>you may not do this on the server; sign in again with an account that may; nothing was changed</source>
+        <translation>serwer na to nie pozwala; zaloguj się ponownie na konto, które ma takie prawo; niczego nie zmieniono</translation>
+    </message>
+    <message>
         <source>the store was moved to %1; use that address, or bring it back with `%2`</source>
         <translation>bazę przeniesiono do %1; użyj tego adresu albo przenieś ją z powrotem poleceniem `%2`</translation>
     </message>

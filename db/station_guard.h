@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a centre's PostgreSQL itself asks before it lets a station change something: who has signed
+// in on this connection, and which roles that account has. The schema placode_guard holds the
+// functions and who has signed in; policies on the tables (row-level security, forced) ask them.
+// Installed by the owner of the tables with the rights of db/station_role.h.
+
+#include <string>
+#include <vector>
+
+#include "db/sql_connection.h"
+
+namespace placode::db {
+
+/// Members are programs of the centre without a person, such as jobs at night: they may do to rows
+/// what stations may, and the server takes their word for whom they work.
+inline constexpr const char* kServiceRole = "placode_service";
+
+/// Columns that no station reads: who knows a hash has what a sign-in proves.
+inline constexpr const char* kHiddenColumns = "'password_hash', 'pin_hash'";
+
+/// Functions, policies and the rights to them, for the owner of the tables, to be repeated at will.
+/// Behind the rights on the tables: some are taken back here.
+[[nodiscard]] std::vector<std::string> station_guard_statements();
+
+/// Whether the server has the functions of this program.
+[[nodiscard]] bool has_station_guard(Connection& connection);
+
+/// What is missing of it, one line each.
+[[nodiscard]] std::vector<std::string> station_guard_problems(Connection& connection);
+
+/// How a refusal of the server itself is said to people; its text is that of the function `need`.
+[[nodiscard]] Said guard_refusal();
+
+// db/station_guard_sql.cpp, db/station_guard_accounts_sql.cpp: statements, separated by lines "--".
+extern const char* const kGuardTables;
+extern const char* const kGuardChecksum;
+extern const char* const kGuardIdentity;
+extern const char* const kGuardChannel;
+extern const char* const kGuardSignIn;
+extern const char* const kGuardAccounts;
+
+}  // namespace placode::db
