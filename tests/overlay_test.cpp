@@ -34,6 +34,27 @@ TEST_F(OverlayTest, WritesTheReadOutsOutsideTheCircle) {
     EXPECT_GT(difference(full, draw(f.snapshot, overlay)), 5.0);
 }
 
+TEST_F(OverlayTest, ALongTitleOfAMenuStaysInsideItsBox) {
+    const SmallField f = small_field();
+    OverlayState overlay = quiet();
+    overlay.menu.shown = true;
+    overlay.menu.items = {"Continue"};
+    overlay.menu.title = "Paused";
+    const Picture narrow = draw(f.snapshot, overlay);
+    overlay.menu.title = "Paused: another window is in front";
+    const Picture wide = draw(f.snapshot, overlay);
+    // In so small a window the box leaves a margin of 11 pixels, where only tissue is seen.
+    const auto letters = [](const Picture& picture, int from, int to) {
+        int count = 0;
+        for (int y = 0; y < kPicturePx; ++y)
+            for (int x = from; x < to; ++x) count += picture.luminance(x, y) > 0.5 ? 1 : 0;
+        return count;
+    };
+    const int right = kPicturePx - 11;
+    EXPECT_GT(letters(wide, 0, right), letters(narrow, 0, right) + 50) << "it is there, whole";
+    EXPECT_EQ(letters(wide, right, kPicturePx), 0);
+}
+
 TEST_F(OverlayTest, AnExamIsToldThatTheComputerIsTooSlow) {
     const SmallField f = small_field();
     OverlayState overlay = quiet();

@@ -23,17 +23,22 @@ void Overlay::menu() {
             lines.push_back(part);
     const double text = lines.empty() ? 0 : row * static_cast<double>(lines.size()) + 0.8 * unit_;
     const double items = menu_row_ * static_cast<double>(menu.items.size());
-    const double h = 4.2 * unit_ + text + items + 2.2 * unit_;
+    const std::vector<std::string> title = paint_->wrapped(menu.title, TextSize::kLarge, inner);
+    const double title_row = paint_->line_height(TextSize::kLarge);
+    const double more = title_row * std::max(0.0, static_cast<double>(title.size()) - 1);
+    const double h = 4.2 * unit_ + more + text + items + 2.2 * unit_;
     const double x = 0.5 * (width_ - menu_width_), y = 0.5 * (height_ - h);
     paint_->box(x, y, menu_width_, h, kRaised);
-    paint_->text(x + 1.4 * unit_, y + 2.6 * unit_, menu.title, TextSize::kLarge, kText);
-    double line_y = y + 4.4 * unit_;
+    for (size_t i = 0; i < title.size(); ++i)
+        paint_->text(x + 1.4 * unit_, y + 2.6 * unit_ + title_row * static_cast<double>(i),
+                     title[i], TextSize::kLarge, kText);
+    double line_y = y + 4.4 * unit_ + more;
     for (const std::string& line : lines) {
         paint_->text(x + 1.4 * unit_, line_y, line, TextSize::kSmall, kText);
         line_y += row;
     }
     menu_x_ = x;
-    menu_y_ = y + 4.2 * unit_ + text;
+    menu_y_ = y + 4.2 * unit_ + more + text;
     menu_count_ = static_cast<int>(menu.items.size());
     for (size_t i = 0; i < menu.items.size(); ++i) {
         const double top = menu_y_ + static_cast<double>(i) * menu_row_;
