@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 
 #include "shell_harness.h"
+#include "ui/shell/parts.h"
 
 namespace placode::ui {
 
@@ -31,6 +32,8 @@ class ShellFormsTest : public QObject {
     void onlyPeopleOfThisStoreAreProposed();
     void whoIsDeactivatedIsNotProposed();
     void theWheelScrollsAndChangesNoAnswer();
+    void whatWasTypedStaysInTheOtherLanguageAndAfterALock();
+    void aQuestionThatNobodyAnswersKeepsNoSessionOpen();
 
  private:
     [[nodiscard]] QAbstractButton* role(int bit) const {
@@ -263,6 +266,44 @@ void ShellFormsTest::theWheelScrollsAndChangesNoAnswer() {
     QCOMPARE(answer->currentIndex(), 0);
     QCOMPARE(years->value(), 0);
     QCOMPARE(rating->value(), 0);
+}
+
+void ShellFormsTest::whatWasTypedStaysInTheOtherLanguageAndAfterALock() {
+    ShellHarness& shell = *shell_;
+    shell.lock_after_s = 2;
+    shell.start();
+    QVERIFY(shell.signIn("eva", "first password"));
+    const auto name = [&shell] { return shell.find<QLineEdit>("new_group")->text(); };
+    shell.window().open({PageId::kGroups, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kGroups));
+    QVERIFY(shell.type("new_group", "Not added yet"));
+    for (const char* language : {"pl", "en"}) {
+        shell.context().setLanguage(language);
+        QCOMPARE(name(), QString("Not added yet"));
+    }
+    QVERIFY(QTest::qWaitFor([&] { return !shell.context().signedIn(); }, 10000));
+    QVERIFY(shell.signIn("eva", "first password"));
+    QVERIFY(shell.arrives(PageId::kGroups));
+    QCOMPARE(name(), QString("Not added yet"));
+    // For whoever typed it: the next person finds an empty field, also on the same page.
+    QVERIFY(QTest::qWaitFor([&] { return !shell.context().signedIn(); }, 10000));
+    QVERIFY(shell.signIn("ada", "correct horse"));
+    shell.window().open({PageId::kGroups, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kGroups));
+    QCOMPARE(name(), QString());
+    shell.lock_after_s = 0;
+}
+
+void ShellFormsTest::aQuestionThatNobodyAnswersKeepsNoSessionOpen() {
+    ShellHarness& shell = *shell_;
+    shell.lock_after_s = 1;
+    shell.start();
+    QVERIFY(shell.signIn("ada", "correct horse"));
+    QVERIFY2(!confirm(&shell.window(), "Remove it?", "For good.", "Remove"),
+             "a question that time answers is answered with no");
+    QVERIFY(QTest::qWaitFor([&] { return !shell.context().signedIn(); }, 10000));
+    shell.lock_after_s = 0;
+    shell.start();
 }
 
 }  // namespace placode::ui

@@ -12,6 +12,7 @@
 #include "ui/shell/handover.h"
 #include "ui/shell/help_window.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 
@@ -71,7 +72,11 @@ void MainWindow::begin() {
 void MainWindow::rebuild() {
     setLocale(QLocale());  // Dates and numbers of what is built next speak the new language.
     Place here = place_;
-    if (page_) here.state = page_->state();
+    QVariantMap typed;
+    if (page_) {
+        here.state = page_->state();
+        typed = typed_texts(*page_);
+    }
     // The old frame lives on for a moment: it may hold the very button that was pressed.
     QWidget* old = takeCentralWidget();
     old->hide();
@@ -80,6 +85,7 @@ void MainWindow::rebuild() {
     notices_->restyle();
     if (context_.storeIsOpen()) {
         showPlace(here);
+        if (page_) type_again(*page_, typed);
     } else {
         begin();
     }
@@ -98,6 +104,8 @@ void MainWindow::onUserChanged() {
     const bool back = context_.user().id == locked_user_;
     locked_user_ = 0;
     showPlace(back ? locked_place_ : lastPlace());
+    if (back && page_) type_again(*page_, locked_typed_);
+    locked_typed_.clear();
     offerLeftovers();
     if (!handedOver()) offer_crash_report(context_, *notices_, this);
     context_.verifyAttempts();  // What the last session did not come to.

@@ -128,6 +128,7 @@ class MainWindow : public QMainWindow {
     QTimer attempt_ended_;    ///< Runs for a moment after the end of an attempt.
     QElapsedTimer held_key_;  ///< Valid: a key may still be down. Since it was heard of last.
     Place locked_place_;
+    QVariantMap locked_typed_;  ///< For whoever was locked out, and nobody else.
     int64_t locked_user_ = 0;
 };
 

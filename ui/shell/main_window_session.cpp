@@ -6,15 +6,20 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QKeyEvent>
 #include <QScrollBar>
 #include <QWindow>
 
 #include "ui/shell/main_window.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
+
+/// Until what a dialog was asked for has come to its end.
+constexpr int kAfterQuestionMs = 1000;
 
 /// A field that a wheel would change while somebody only scrolls past it: an answer nobody gave.
 bool holds_a_value(QObject* object) {
@@ -99,13 +104,23 @@ void MainWindow::lock() {
     bool alone = false;
     (void)context_.problemOf(
         [&] { alone = context_.store().accounts().local_profile().has_value(); });
-    if (alone || context_.launcher().running() || handedOver() ||
-        QApplication::activeModalWidget() != nullptr) {
+    if (alone || context_.launcher().running() || handedOver()) {
         idle_.start(context_.lockAfterSeconds() * 1000);
         return;
     }
+    // Whoever was asked has gone: the question is given up as by Escape, and with it what it was
+    // asked for. Left open it would keep the session open for whoever comes next.
+    if (auto* asked = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+        asked->reject();
+        idle_.start(kAfterQuestionMs);
+        return;
+    }
     locked_place_ = place_;
-    if (page_) locked_place_.state = page_->state();
+    locked_typed_.clear();
+    if (page_) {
+        locked_place_.state = page_->state();
+        locked_typed_ = typed_texts(*page_);
+    }
     locked_user_ = context_.user().id;
     context_.setStoreSetting("last_login", qstr(context_.user().login));
     // Locked in any case, also when the store cannot be written.
