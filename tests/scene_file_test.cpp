@@ -50,6 +50,15 @@ Json shipped(const std::string& id) {
     return parse_json(read_definition(file), file.string());
 }
 
+TEST(Definition, AFileWithoutEndIsRefused) {
+    try {
+        (void)read_definition("/dev/zero");
+        FAIL() << "it has come to an end";
+    } catch (const DefinitionError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("larger than 64 MB"));
+    }
+}
+
 TEST_F(SceneFile, TakesFromItsBaseWhatItDoesNotName) {
     const Json base = shipped("flat_default");
     write("mine.json", R"({"id": "mine", "extends": "flat_default", "edge_ring_m": 0.0007,
