@@ -83,6 +83,18 @@ TEST(Capstan, DragAddsToItAsTheIntegralSays) {
     EXPECT_NEAR(law.drag_n / exact, 1, 0.03);
 }
 
+// By hand: uneven pieces, so that the order in which bends and walls come shows. A piece is a bend
+// and then its wall; on the way back the wall of the last one comes first.
+TEST(Capstan, BendsAndWallsComeInTheirOrderEitherWay) {
+    const std::vector<ChannelPiece> pieces{{0.5, 1e-3}, {1.1, 3e-3}};
+    const double mu = 0.2, drag = 30, pull = 0.1;
+    const double g1 = std::exp(mu * 0.5), g2 = std::exp(mu * 1.1), w1 = drag * 1e-3, w2 = 3 * w1;
+    const CapstanLaw out = capstan_law(smooth(mu, drag), pieces, true);
+    EXPECT_NEAR(out.gain * pull + out.drag_n, (pull * g1 + w1) * g2 + w2, 1e-13);
+    const CapstanLaw back = capstan_law(smooth(mu, drag), pieces, false);
+    EXPECT_NEAR(back.gain * pull + back.drag_n, ((pull + w2) * g2 + w1) * g1, 1e-13);
+}
+
 TEST(Capstan, ThreadSticksBetweenTheBoundsAndSlidesToThem) {
     const auto pieces = drum(0.5);
     const ThreadFriction friction = smooth(0.15, 20);

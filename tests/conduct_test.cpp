@@ -36,6 +36,7 @@ TEST(Conduct, NothingChangesTissueOrGivesAwayAScoreOutsidePractice) {
         EXPECT_TRUE(conduct.always_ask);
     }
     EXPECT_EQ(conduct_of(AttemptMode::kExam).aids, Aids{});
+    EXPECT_FALSE(conduct_of(AttemptMode::kExam).help);  // it stops the clock
     EXPECT_FALSE(conduct_of(AttemptMode::kStudy).own_device);
     EXPECT_FALSE(conduct_of(AttemptMode::kStudy).own_score);
     EXPECT_FALSE(conduct_of(AttemptMode::kStudy).own_account);

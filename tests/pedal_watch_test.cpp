@@ -68,9 +68,13 @@ TEST(PedalWatch, TellsTheKeyThatIsPressedAndThatItWasUnplugged) {
     press(file, 30, 0);
     EXPECT_TRUE(watch.poll());
     EXPECT_FALSE(watch.pressed());
+    press(file, 31, 1);
+    EXPECT_TRUE(watch.poll());
+    EXPECT_TRUE(watch.pressed()) << "held while it is unplugged";
     ::close(file);
     EXPECT_FALSE(watch.poll());
-    EXPECT_EQ(watch.last_key(), 30);
+    EXPECT_EQ(watch.last_key(), 31);
+    EXPECT_FALSE(watch.pressed()) << "a pedal that is gone is not held";
 }
 
 TEST(PedalWatch, SaysWhyItCannotBeOpened) {
