@@ -141,6 +141,19 @@ void check_references(const StudyProtocol& study, const std::string& origin) {
     }
 }
 
+/// What participants are told.
+LocalText kept_for(int years) {
+    const std::string n = std::to_string(years);
+    const bool few = years % 10 >= 2 && years % 10 <= 4 && (years % 100 < 12 || years % 100 > 14);
+    return {"What is recorded of you in this study is kept for " + n +
+                (years == 1 ? " year" : " years") + " after your last step, and then erased.",
+            "To, co zapisano o Tobie w tym badaniu, przechowuje się przez " + n +
+                (years == 1 ? " rok"
+                 : few      ? " lata"
+                            : " lat") +
+                " od Twojego ostatniego kroku, a potem usuwa."};
+}
+
 }  // namespace
 
 const char* step_kind_name(StepKind kind) {
@@ -178,6 +191,7 @@ StudyProtocol load_study_text(const std::string& text, const std::string& origin
     study.source = json.value("source", std::string());
     study.reason = json.value("reason", std::string());
     study.visits = json.value("visits", 1);
+    study.keep_years = json.value("keep_years", 0);
     if (json.contains("consent")) study.consent = read_consent(json["consent"]);
     if (json.contains("arms")) study.arms = read_arms(json["arms"], origin);
     std::set<std::string> seen;
@@ -193,6 +207,9 @@ StudyProtocol load_study_text(const std::string& text, const std::string& origin
     if (study.needs_consent() && study.consent.statements.empty())
         throw DefinitionError(origin, "/consent",
                               "a step asks for consent, but there is nothing to consent to");
+    // Whoever consents has read it, whatever the authors wrote.
+    if (study.keep_years > 0 && study.needs_consent())
+        study.consent.information.push_back(kept_for(study.keep_years));
     return study;
 }
 

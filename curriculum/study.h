@@ -76,6 +76,7 @@ struct StudyProtocol {
     Consent consent;
     std::optional<Arms> arms;
     int visits = 1;
+    int keep_years = 0;  ///< Records go so long after a participant's last step; 0 = not said.
     std::vector<StudyStep> steps;  ///< Of every visit; consent and demographics of the first only.
     std::string json;              ///< The text it was read from, for the store.
 

@@ -45,6 +45,11 @@ class Studies {
     /// the new mode does not erase.
     void withdraw(const std::string& study_id, const std::string& code, WithdrawalMode mode,
                   const std::string& reason);
+    /// Erases a participant's records as WithdrawalMode::kErase does, at the end of the time for
+    /// which they were to be kept (study_retention.h); nobody has withdrawn. Throws kNotFound,
+    /// kRefused when that time is not over by this computer's clock.
+    void erase_kept(const std::string& study_id, const std::string& code,
+                    const std::string& until_utc);
 
  private:
     int64_t insert_step(StepRecord step);

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Withdrawal, with the erasure that a participant may ask for.
+// Withdrawal, with the erasure that a participant may ask for, and erasure when the time is over
+// for which records were to be kept.
 
 #include <array>
 #include <vector>
 
+#include "curriculum/utc_time.h"
 #include "db/store_context.h"
 #include "db/studies.h"
 
@@ -87,6 +89,25 @@ void Studies::withdraw(const std::string& study_id, const std::string& code, Wit
     if (mode == WithdrawalMode::kErase) erase_participant(study_id, code);
     context_.append_audit("study.withdraw", study_id + " " + code,
                           std::string(kModes[static_cast<size_t>(mode)]) + ": " + reason);
+    work.commit();
+}
+
+void Studies::erase_kept(const std::string& study_id, const std::string& code,
+                         const std::string& until_utc) {
+    connection_.begin_operation("erase the records of " + code + " in the study \"" + study_id +
+                                "\" in");
+    context_.need(Action::kRunQuestionnaire);
+    UnitOfWork work(connection_);
+    Statement query(connection_, "SELECT code FROM participants WHERE study_id = ? AND code = ?");
+    if (!query.run(study_id, code).next())
+        connection_.fail(Kind::kNotFound,
+                         Said::that("there is no such participant; check the code"));
+    if (until_utc > curriculum::utc_text(context_.now_ms() / 1000))
+        connection_.fail(Kind::kRefused,
+                         Said::that("its records are kept until %1").with(until_utc));
+    context_.touch("participant", {study_id, code});
+    erase_participant(study_id, code);
+    context_.append_audit("study.retention", study_id + " " + code, "kept until " + until_utc);
     work.commit();
 }
 

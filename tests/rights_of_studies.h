@@ -59,6 +59,12 @@ inline std::vector<Method> methods_of_studies() {
          [](Call& c) {
              c.store.studies().withdraw(kStudy, c.world.code, db::WithdrawalMode::kErase, "asked");
          }},
+        {"studies.erase_kept",
+         runs,
+         {},
+         [](Call& c) {
+             c.store.studies().erase_kept(kStudy, c.world.code, "2020-01-01T00:00:00Z");
+         }},
     };
 }
 

@@ -238,6 +238,7 @@ void add_study_commands(CLI::App& app, Context& context) {
     add_study_record_commands(*study, context);
     add_study_repeat_commands(*study, context);
     add_study_key_commands(*study, context);
+    add_study_retention_command(*study, context);
     add_study_analysis_commands(*study, context);
     const StudyGroup group{*study, context, options};
     add_participant_commands(group);

@@ -13,6 +13,8 @@ void add_study_record_commands(CLI::App& study, Context& context);
 void add_study_repeat_commands(CLI::App& study, Context& context);
 /// key-make, key-list, key-set, key-passphrase
 void add_study_key_commands(CLI::App& study, Context& context);
+/// retention
+void add_study_retention_command(CLI::App& study, Context& context);
 /// construct, retest, learning, raters
 void add_study_analysis_commands(CLI::App& study, Context& context);
 

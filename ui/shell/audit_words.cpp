@@ -104,6 +104,8 @@ constexpr auto kWords = std::to_array<Words>({
     {"study.record.signed", QT_TRANSLATE_NOOP("AuditWords", "signed a participant's record")},
     {"study.record.unlocked", QT_TRANSLATE_NOOP("AuditWords", "unlocked a participant's record")},
     {"study.repeat", QT_TRANSLATE_NOOP("AuditWords", "had a procedure done again")},
+    {"study.retention",
+     QT_TRANSLATE_NOOP("AuditWords", "erased records that had been kept long enough")},
     {"study.second_entry",
      QT_TRANSLATE_NOOP("AuditWords", "entered a questionnaire a second time")},
     {"study.step", QT_TRANSLATE_NOOP("AuditWords", "went through a step of a protocol")},

@@ -15,6 +15,7 @@
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/procedures_card.h"
+#include "ui/shell/retention_card.h"
 #include "ui/shell/study_corrections_card.h"
 #include "ui/shell/study_entry_card.h"
 #include "ui/shell/study_parts.h"
@@ -66,6 +67,8 @@ class StudyDataPage : public Page {
         column->addWidget(
             make_corrections_card(context, *this, answers_, corrections_, [this] { again(); }));
         column->addWidget(make_names_card(context, *this, study_, codes()));
+        if (QWidget* kept = make_retention_card(context, *this, study_, [this] { again(); }))
+            column->addWidget(kept);
         column->addStretch();
     }
 

@@ -12,6 +12,37 @@
     </message>
 </context>
 <context>
+    <name>RetentionCard</name>
+    <message numerus="yes">
+        <source>Erase the records of %n participant(s)?</source>
+        <translation>
+            <numerusform>Erase the records of %n participant?</numerusform>
+            <numerusform>Erase the records of %n participants?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The records of %n participant(s) are erased.</source>
+        <translation>
+            <numerusform>The records of %n participant are erased.</numerusform>
+            <numerusform>The records of %n participants are erased.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Participants were told: %n year(s) after their last step.</source>
+        <translation>
+            <numerusform>Participants were told: %n year after their last step.</numerusform>
+            <numerusform>Participants were told: %n years after their last step.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The time of %n participant(s) is over: %1.</source>
+        <translation>
+            <numerusform>The time of %n participant is over: %1.</numerusform>
+            <numerusform>The time of %n participants is over: %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StudiesPage</name>
     <message numerus="yes">
         <source>%n file(s), read back and compared with the store: %1</source>

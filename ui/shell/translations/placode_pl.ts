@@ -148,6 +148,65 @@
     </message>
 </context>
 <context>
+    <name>RetentionCard</name>
+    <message numerus="yes">
+        <source>Erase the records of %n participant(s)?</source>
+        <translation>
+            <numerusform>Usunąć zapisy %n uczestnika?</numerusform>
+            <numerusform>Usunąć zapisy %n uczestników?</numerusform>
+            <numerusform>Usunąć zapisy %n uczestników?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Answers, attempts and signatures of %1 are deleted. Codes and arms stay. Export first what is still to be analysed.</source>
+        <translation>Odpowiedzi, próby i podpisy (%1) zostaną usunięte. Kody i grupy pozostaną. Najpierw wyeksportuj to, co ma być jeszcze analizowane.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>Erasing records</source>
+        <translation>Usuwanie zapisów</translation>
+    </message>
+    <message numerus="yes">
+        <source>The records of %n participant(s) are erased.</source>
+        <translation>
+            <numerusform>Usunięto zapisy %n uczestnika.</numerusform>
+            <numerusform>Usunięto zapisy %n uczestników.</numerusform>
+            <numerusform>Usunięto zapisy %n uczestników.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>How long records are kept</source>
+        <translation>Jak długo przechowuje się zapisy</translation>
+    </message>
+    <message numerus="yes">
+        <source>Participants were told: %n year(s) after their last step.</source>
+        <translation>
+            <numerusform>Uczestnikom powiedziano: %n rok od ich ostatniego kroku.</numerusform>
+            <numerusform>Uczestnikom powiedziano: %n lata od ich ostatniego kroku.</numerusform>
+            <numerusform>Uczestnikom powiedziano: %n lat od ich ostatniego kroku.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing is due before %1 (%2).</source>
+        <translation>Nic nie przypada przed %1 (%2).</translation>
+    </message>
+    <message numerus="yes">
+        <source>The time of %n participant(s) is over: %1.</source>
+        <translation>
+            <numerusform>Minął czas %n uczestnika: %1.</numerusform>
+            <numerusform>Minął czas %n uczestników: %1.</numerusform>
+            <numerusform>Minął czas %n uczestników: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Erase these records</source>
+        <translation>Usuń te zapisy</translation>
+    </message>
+</context>
+<context>
     <name>placode::ui::KeyButton</name>
     <message>
         <source>Press a key…</source>
@@ -1163,6 +1222,10 @@
     <message>
         <source>put the centre&apos;s key under a passphrase</source>
         <translation>zabezpieczono klucz ośrodka hasłem</translation>
+    </message>
+    <message>
+        <source>erased records that had been kept long enough</source>
+        <translation>usunięto zapisy, które przechowywano wystarczająco długo</translation>
     </message>
 </context>
 <context>
@@ -10832,6 +10895,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>the number of events</source>
         <translation>liczba zdarzeń</translation>
+    </message>
+    <message>
+        <source>its records are kept until %1</source>
+        <translation>jego zapisy przechowuje się do %1</translation>
     </message>
 </context>
 <context>
