@@ -12,8 +12,8 @@
 // to a patch of 0.1 g needs no more, and the springs are soft enough for that (kPressPaM).
 //
 // Under instruments: its triangles are candidates like those of the tissue, from both sides
-// (contact.cpp). Not here yet: the patch against itself, and vertices of the tissue against the
-// middle of its triangles. docs/patch.md
+// (contact.cpp). Against itself: patch_fold.h; as a whole: patch_modes.h. Not here yet: vertices of
+// the tissue against the middle of its triangles. docs/patch.md
 
 #include "sim/mesh/surface.h"
 

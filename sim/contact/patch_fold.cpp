@@ -62,6 +62,7 @@ class PatchFolds {
         std::fill(scratch_.cell_start.begin(), scratch_.cell_start.end(), 0);
         for (size_t t = 0; t < patch_.triangles.size(); ++t) {
             const Vec3 centre = centre_of(patch_.triangles[t]);
+            centre_[t] = centre.cast<float>();
             scratch_.cell_of[t] = centre.allFinite() ? cell(cell_at(centre)) : -1;
             if (scratch_.cell_of[t] >= 0) ++scratch_.cell_start[as_index(scratch_.cell_of[t]) + 1];
         }
@@ -127,6 +128,8 @@ class PatchFolds {
         const bool second = not_towards != Vec3::Zero();
         double best2 = reach_ * reach_;
         int32_t best = -1;
+        const Vec3f near = p.cast<float>();
+        const auto within2 = static_cast<float>(1.0001 / (per_cell_ * per_cell_));
         const Cell middle = cell_at(p);
         for (int64_t c = 0; c < 27; ++c) {
             const auto bucket = as_index(
@@ -134,7 +137,8 @@ class PatchFolds {
             for (int32_t i = scratch_.cell_start[bucket]; i < scratch_.cell_start[bucket + 1];
                  ++i) {
                 const int32_t t = scratch_.cell_triangle[as_index(i)];
-                // Most of what is near is a neighbour: that costs least to ask.
+                // What costs least is asked first: most of what is near is a neighbour.
+                if ((centre_[as_index(t)] - near).squaredNorm() > within2) continue;
                 const Vec3 apart = scratch_.rest_centre[as_index(t)] - rest;
                 if (apart.squaredNorm() < scratch_.apart_m * scratch_.apart_m) continue;
                 const Triangle x = places_of(state_, patch_.triangles[as_index(t)].vertex);
@@ -157,6 +161,7 @@ class PatchFolds {
     const std::vector<Vec3>& rest_;
     PatchScratch& scratch_;
     double reach_, per_cell_;
+    std::array<Vec3f, 2 * as_index(kMostPatchVertices)> centre_;  // of the triangles, now
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 // what lies in front of it and behind it: a spring that pushes the vertex alone, against where the
 // other part goes by its velocity, as its tie to the tissue (patch_vertex.h). The vertices of the
 // other part do the same, so that both give way; what the two do not have in common the six
-// unknowns of the whole correct (patch_modes.h). Not here: a fold that has got through itself by
-// more than half of its thickness, which is pushed out on that side.
+// unknowns of the whole correct (patch_modes.h). Not here: a fold that is pressed through itself by
+// more than its thickness, which is pushed out on that side.
 
 #include <cstdint>
 
