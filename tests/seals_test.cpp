@@ -143,6 +143,7 @@ TEST_P(SealsTest, EveryColumnOfEveryTableIsSealedOrNamedHere) {
     for (const QString& name : connection.handle().tables()) {
         const std::string table = name.toStdString();
         if (open_tables.contains(table) || table.starts_with("sqlite_")) continue;
+        if (table.starts_with("placode_guard.")) continue;  // Who has signed in now: no data.
         EXPECT_TRUE(sealed.contains(table)) << table;
         const QSqlRecord columns = connection.handle().record(name);
         ASSERT_GT(columns.count(), 0) << table;
