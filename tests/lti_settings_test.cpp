@@ -107,6 +107,8 @@ TEST_F(LtiSettings, AMistakeIsNamedWithItsPlace) {
         write(json);
         EXPECT_THAT(problem(), HasSubstr(key));
     }
+    write(std::string(R"({"version": 1e999})"));
+    EXPECT_EQ(problem(), file() + ": holds a number beyond 1.7e308");
     PlainJson twice = good();
     twice["platforms"].push_back(twice["platforms"][0]);
     write(twice);

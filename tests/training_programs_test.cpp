@@ -4,6 +4,7 @@
 // nothing.
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -84,6 +85,27 @@ TEST_F(TrainingPrograms, RightsAreAskedForBeforeAnythingHappens) {
     const Outcome drawn = as("olga", "group add B");
     EXPECT_EQ(drawn.status, 0);
     EXPECT_EQ(as("olga", "group member B anna").status, 1) << "drawn out of another's group";
+}
+
+TEST_F(TrainingPrograms, AKeyIsTakenFromNothingButAFile) {
+    const std::string phrase = file("phrase"), pipe = file("pipe");
+    write_text(phrase, "four words are good\n");
+    fs::permissions(phrase, fs::perms::owner_read | fs::perms::owner_write);
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    write_text(file("other.json"), "{}");
+    const auto take = [&](const std::string& from, const std::string& with) {
+        return ctl("norms key import '" + from + "' --passphrase-file '" + with + "'");
+    };
+    // A pipe that nobody writes into, or a device without end, is not waited for.
+    for (const std::string& wrong : {folder, pipe, std::string("/dev/zero")}) {
+        const Outcome refused = take(wrong, phrase);
+        EXPECT_EQ(refused.status, 2) << wrong;
+        EXPECT_THAT(refused.err, HasSubstr(wrong + ": is no file"));
+        EXPECT_EQ(take(file("other.json"), wrong).status, 2) << wrong;
+    }
+    const Outcome other = take(file("other.json"), phrase);
+    EXPECT_EQ(other.status, 2);
+    EXPECT_THAT(other.err, HasSubstr("holds no centre's key"));
 }
 
 TEST_F(TrainingPrograms, ACourseIsBuiltCheckedPublishedAssignedAndFollowed) {

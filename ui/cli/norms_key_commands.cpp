@@ -4,8 +4,6 @@
 // centre signs its norm packs.
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include "db/signature.h"
@@ -109,12 +107,13 @@ int export_key(const Context& context, const KeyOptions& options) {
 
 int import_key(const Context& context, const KeyOptions& options) {
     Session session(context, Missing::kRefuse);
-    std::ifstream in(options.file, std::ios::binary);
-    if (!in) throw InputError(options.file + ": cannot be read; check the name");
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::string text = lti::read_text(options.file);
     const db::Secret phrase = centre_passphrase(options.passphrase_file, "which is in the file");
-    as_input(
-        [&] { session.store().norms().take_centre_key(text, phrase.text(), options.replace); });
+    const auto take = [&] {
+        as_input(
+            [&] { session.store().norms().take_centre_key(text, phrase.text(), options.replace); });
+    };
+    as_input(take, db::StoreError::Kind::kDamaged);  // The file is, not the store.
     return key_done(context, session, " signs the norm packs of this store from now on");
 }
 

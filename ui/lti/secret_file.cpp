@@ -34,7 +34,8 @@ class Descriptor {
 /// @param forbidden bits of the mode that no such file may have.
 std::string read_guarded(const std::string& path, mode_t forbidden, const char* way_out) {
     // The file that was looked at is the one that is read, whatever its name leads to meanwhile.
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    // Without O_NONBLOCK a pipe that nobody writes into would be waited for without end.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat status {};
     if (file.number() < 0 || ::fstat(file.number(), &status) != 0)
         throw SettingsError(path + ": " + std::strerror(errno));
@@ -63,6 +64,8 @@ std::string read_settings_text(const std::string& path) {
     return read_guarded(path, S_IWGRP | S_IWOTH,
                         "can be written by others, who could let themselves in: chmod go-w");
 }
+
+std::string read_text(const std::string& path) { return read_guarded(path, 0, ""); }
 
 void replace_text(const std::string& path, const std::string& text) {
     struct stat before {};

@@ -20,6 +20,9 @@ class SettingsError : public std::runtime_error {
 [[nodiscard]] std::string read_secret(const std::string& path);
 [[nodiscard]] std::string read_settings_text(const std::string& path);
 
+/// As these, whoever may read or write it: what it holds is sealed or signed.
+[[nodiscard]] std::string read_text(const std::string& path);
+
 /// Takes the place of `path` in one step, with the owner and the mode of the file that was there; a
 /// new one is for its owner alone. It is on the disk when this returns. Throws SettingsError.
 void replace_text(const std::string& path, const std::string& text);

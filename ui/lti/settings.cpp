@@ -144,6 +144,8 @@ OrderedJson json_of(const std::string& file) {
         return OrderedJson::parse(text);
     } catch (const OrderedJson::parse_error& error) {
         throw SettingsError(file + ": is no JSON: byte " + std::to_string(error.byte));
+    } catch (const OrderedJson::out_of_range&) {
+        throw SettingsError(file + ": holds a number beyond 1.7e308");
     }
 }
 
