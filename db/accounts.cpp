@@ -18,10 +18,9 @@ using Kind = StoreError::Kind;
 Accounts::Accounts(StoreContext& context) : context_(context), connection_(context.connection) {}
 
 std::string Accounts::check_new_user(const NewUser& user) {
-    if (login_key(user.login).empty())
-        connection_.fail(Kind::kRefused, Said::that("the login is empty"));
-    if (user.display_name.empty())
-        connection_.fail(Kind::kRefused, Said::that("the name is empty"));
+    if (const auto problem = login_problem(user.login)) connection_.fail(Kind::kRefused, *problem);
+    if (const auto problem = name_problem(user.display_name))
+        connection_.fail(Kind::kRefused, *problem);
     if (user.roles == 0) connection_.fail(Kind::kRefused, Said::that("the user has no role"));
     if (const auto problem = password_problem(user.login, user.password))
         connection_.fail(Kind::kRefused, *problem);

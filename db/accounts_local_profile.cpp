@@ -36,7 +36,7 @@ int64_t Accounts::begin_alone(const std::string& display_name) {
     if (!connection_.is_sqlite())
         connection_.fail(Kind::kRefused,
                          Said::that("on a server everybody has an account and a password"));
-    if (display_name.empty()) connection_.fail(Kind::kRefused, Said::that("the name is empty"));
+    if (const auto problem = name_problem(display_name)) connection_.fail(Kind::kRefused, *problem);
     NewUser user;
     user.login = kLogin;
     user.display_name = display_name;

@@ -12,10 +12,10 @@ using Kind = StoreError::Kind;
 Groups::Groups(StoreContext& context) : context_(context), connection_(context.connection) {}
 
 int64_t Groups::create(const std::string& name) {
-    connection_.begin_operation("create the group \"" + name + "\" in");
+    connection_.begin_operation("create the group \"" + name.substr(0, kMostNameLength) + "\" in");
     context_.need(Action::kManageGroups, Scope::kGroup);  // It has no educator yet.
     const std::string key = login_key(name);
-    if (key.empty()) connection_.fail(Kind::kRefused, Said::that("the name is empty"));
+    if (const auto problem = name_problem(name)) connection_.fail(Kind::kRefused, *problem);
     UnitOfWork work(connection_);
     Statement taken(connection_, "SELECT id FROM training_groups WHERE name_key = ?");
     if (taken.run(key).next())

@@ -51,6 +51,21 @@ std::string login_key(const std::string& login) {
         .toStdString();
 }
 
+std::optional<Said> name_problem(const std::string& name) {
+    const QString text = QString::fromStdString(name);
+    if (text.trimmed().isEmpty()) return Said::that("the name is empty");
+    if (text.toUcs4().size() > kMostNameLength)
+        return Said::that("the name is longer than %1 characters").with(kMostNameLength);
+    return std::nullopt;
+}
+
+std::optional<Said> login_problem(const std::string& login) {
+    if (login_key(login).empty()) return Said::that("the login is empty");
+    if (QString::fromStdString(login).toUcs4().size() > kMostNameLength)
+        return Said::that("the login is longer than %1 characters").with(kMostNameLength);
+    return std::nullopt;
+}
+
 std::string failures_key(const std::string& login) { return checksum_hex(login_key(login)); }
 
 std::optional<Said> password_problem(const std::string& login, const std::string& password) {

@@ -12,6 +12,7 @@
 namespace placode::db {
 
 inline constexpr int kLeastPasswordLength = 10;  ///< Characters.
+inline constexpr int kMostNameLength = 200;      ///< Characters.
 
 /// What is wrong with a password in plain words, or nothing.
 [[nodiscard]] std::optional<Said> password_problem(const std::string& login,
@@ -36,6 +37,11 @@ void need_sodium();
 
 /// Key by which logins are compared: trimmed, compatibility-composed, without case.
 [[nodiscard]] std::string login_key(const std::string& login);
+/// What is wrong with the name of a person or a group, or nothing: where a name is shown there is
+/// room for a line, and whoever pastes a book into the field means something else.
+[[nodiscard]] std::optional<Said> name_problem(const std::string& name);
+/// The same for a login.
+[[nodiscard]] std::optional<Said> login_problem(const std::string& login);
 /// Under which wrong passwords are counted: a checksum, because people type names that are gone, or
 /// a password, into the field of the log-in.
 [[nodiscard]] std::string failures_key(const std::string& login);

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "db/access.h"
+#include "db/password.h"
 #include "haptics/certificate.h"
 #include "tests/recorded_attempt.h"
 #include "tests/store_fixture.h"
@@ -101,6 +102,15 @@ TEST_P(CourseStore, AGroupHasMembersAndEducatorsAndAUniqueName) {
     EXPECT_THAT(store->groups().list()[0].members, IsEmpty());
     EXPECT_EQ(failure_of([&] { store->groups().set_role(99, anna, GroupRole::kMember); }).kind(),
               StoreError::Kind::kNotFound);
+}
+
+// A page of text that was pasted by mistake would push all else off the page.
+TEST_P(CourseStore, AGroupsNameHasAtMost200Letters) {
+    std::string letters;
+    for (int i = 0; i < db::kMostNameLength; ++i) letters += "ł";  // two bytes each
+    EXPECT_GT(store->groups().create(letters), 0);
+    EXPECT_THAT(failure_of([&] { store->groups().create(letters + "l"); }).what(),
+                testing::HasSubstr("the name is longer than 200 characters"));
 }
 
 TEST_P(CourseStore, AnEducatorReachesTheOwnGroupsAndPeopleWithoutAGroup) {

@@ -10297,6 +10297,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>nazwa jest pusta</translation>
     </message>
     <message>
+        <source>the name is longer than %1 characters</source>
+        <translation>nazwa jest dłuższa niż %1 znaków</translation>
+    </message>
+    <message>
+        <source>the login is longer than %1 characters</source>
+        <translation>login jest dłuższy niż %1 znaków</translation>
+    </message>
+    <message>
         <source>the user has no role</source>
         <translation>ta osoba nie ma żadnej roli</translation>
     </message>
