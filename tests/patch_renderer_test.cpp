@@ -50,5 +50,45 @@ TEST(PatchRenderer, TakesItsOwnVerticesInMillimetresWithTheirPlacesAtRest) {
     EXPECT_NEAR(first[3] * first[3] + first[4] * first[4] + first[5] * first[5], 1, 1e-5);
 }
 
+TEST(PatchRenderer, KnowsWhereItsEdgeIs) {
+    // A square of 4 x 4 vertices: four of them lie inside.
+    sim::Snapshot flat;
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i)
+            flat.x.push_back({0.001F * static_cast<float>(i), 0.001F * static_cast<float>(j), 0});
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) {
+            const int a = 4 * j + i;
+            flat.patch.push_back({a, a + 1, a + 5});
+            flat.patch.push_back({a, a + 5, a + 4});
+        }
+    PatchMesh mesh;
+    mesh.build(flat, flat.x);
+    mesh.build(flat, flat.x);  // as in the next picture: what was found stays
+    for (size_t v = 0; v < 16; ++v) {
+        const bool inside = v == 5 || v == 6 || v == 9 || v == 10;
+        EXPECT_EQ(mesh.vertices[v * kRow + 9], inside ? 0 : 1) << v;
+    }
+    // Two corners have a triangle whose vertices all lie at the edge: the middle of its inner side
+    // lies half an edge inside.
+    ASSERT_EQ(mesh.vertices.size(), 18 * kRow);
+    EXPECT_EQ(mesh.indices.size(), 3 * (18 + 2 * 2));
+    EXPECT_NEAR(mesh.vertices[16 * kRow + 0], 2.5, 1e-5) << "between 2 and 7";
+    EXPECT_NEAR(mesh.vertices[16 * kRow + 1], 0.5, 1e-5);
+    EXPECT_EQ(mesh.vertices[16 * kRow + 9], 0.5F);
+    // It is the same square: no triangle is turned or lost.
+    double area = 0;
+    for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const auto at = [&](size_t k, size_t c) {
+            return static_cast<double>(mesh.vertices[kRow * mesh.indices[i + k] + c]);
+        };
+        const double twice = (at(1, 0) - at(0, 0)) * (at(2, 1) - at(0, 1)) -
+                             (at(2, 0) - at(0, 0)) * (at(1, 1) - at(0, 1));
+        EXPECT_GT(twice, 0);
+        area += 0.5 * twice;
+    }
+    EXPECT_NEAR(area, 9, 1e-5);
+}
+
 }  // namespace THIS_TEST
 }  // namespace placode::view

@@ -17,6 +17,21 @@ struct PatchMesh {
     std::vector<unsigned> indices;
     /// @param rest places at rest [m], by vertex of the field: its felt moves with it.
     void build(const sim::Snapshot& snapshot, const std::vector<std::array<float, 3>>& rest);
+
+ private:
+    /// Corners of edges that belong to one triangle alone: looked for again when there are others.
+    void find_rim(const sim::Snapshot& snapshot, int32_t first, size_t count);
+
+    void find_corners(const sim::Snapshot& snapshot, int32_t first);
+    void split_corners();
+
+    struct Corner {
+        std::array<size_t, 2> triangles;
+        unsigned a, b;  ///< Ends of the side that both have.
+    };
+    std::vector<Corner> corners_;
+    std::vector<float> rim_;  ///< By vertex from the patch's first: 1 at its edge, 0 inside.
+    size_t rim_triangles_ = 0;
 };
 
 class PatchRenderer {

@@ -2,7 +2,7 @@
 // thread; a patch.
 in vec3 v_position;
 in vec3 v_normal;
-in vec4 v_rest;    // material, along the shaft [mm], unused
+in vec4 v_rest;    // material; along the shaft [mm] and around it, of a patch its place at rest; rim
 in vec4 v_damage;
 in vec2 v_extra;
 uniform float energised;  // 0..1
@@ -31,12 +31,15 @@ void main() {
     vec3 result;
     if (v_rest.x < 0.5) {  // steel
         vec3 f0 = vec3(0.397, 0.418, 0.434);
-        float a = 0.05 + 0.06 * scratch;
+        // A needle is thinner than what it mirrors: along it the light runs together to a line.
+        float wire = step(1e4, v_rest.y);
+        float a = mix(0.05 + 0.06 * scratch, 0.13, wire);
         vec3 r = reflect(-v, n);
         vec3 f = f0 + (1.0 - f0) * pow(1.0 - saturate(dot(n, v)), 5.0);
         result = f * surroundings(r) * reach * 0.75;
         result += f0 * min(highlight(n, v, l, a, 1.0), 14.0) * reach;
-        result += f0 * 0.05 * (0.3 + 0.7 * nl) * reach * (0.6 + 0.7 * scratch);
+        float dull = mix(0.05 * (0.6 + 0.7 * scratch), 0.20 * sq(saturate(dot(n, v))), wire);
+        result += f0 * dull * (0.3 + 0.7 * nl) * reach;
     } else if (v_rest.x < 1.5) {  // insulation
         vec3 base = vec3(0.007, 0.008, 0.009);
         result = base * nl * reach + highlight(n, v, l, 0.10, 0.04) * reach * (0.7 + 0.5 * scratch);
@@ -44,14 +47,34 @@ void main() {
         // Laser-marked depth rings, every 10 mm.
         float ring = smoothstep(0.30, 0.15, abs(mod(v_rest.y, 10.0) - 9.0));
         result += ring * vec3(0.13, 0.13, 0.12) * nl * reach;
-    } else if (v_rest.x > 3.5) {  // patch: pale felt of collagen, wet, drawn over what lies below
-        float felt = texture(noise_map, v_rest.yz * 0.09).g;
-        vec3 base = vec3(0.62, 0.57, 0.50) * (0.86 + 0.28 * felt);
-        result = base * (0.18 + 0.62 * nl) * reach;
-        result += highlight(n, v, l, 0.16 + 0.10 * felt, 0.045) * reach;
-        // Seen along its plane one looks through more of it.
+    } else if (v_rest.x > 3.5) {  // patch: soaked felt of collagen, drawn over what lies below
+        vec2 q = v_rest.yz;
+        vec4 soaked = texture(noise_map, q * 0.11);
+        vec4 felt = texture(noise_map, q * 0.43 + vec2(0.37, 0.11));
+        // Fibres lie every way and curl.
+        vec2 w = q + 1.6 * (soaked.rg - 0.5);
+        float fibre = max(texture(noise_map, vec2(w.x * 0.22 + w.y * 0.10, w.y * 0.62 - w.x * 0.25)).r,
+                          texture(noise_map, vec2(w.x * 0.60 + w.y * 0.22, w.y * 0.20 - w.x * 0.12)).g);
+        float pale = saturate(1.3 * fibre + 1.3 * (soaked.g - 0.5) - 0.30);
+        // Where it is soaked through it takes the red of what lies below.
+        vec3 base = mix(vec3(0.54, 0.37, 0.29), vec3(0.68, 0.57, 0.46), pale);
+        vec3 t = normalize(vec3(1.0, 0.0, 0.0) - n * n.x);
+        vec3 b = cross(n, t);
+        vec2 slope = (soaked.ba - 0.5) * 0.60 + (felt.ba - 0.5) * 0.45;
+        vec3 nf = normalize(n - t * slope.x - b * slope.y);
+        float shade = tool_shade(v_position, n, l);
+        vec3 wrap = vec3(0.35, 0.20, 0.14);
+        vec3 soft = clamp((dot(nf, l) + wrap) / ((1.0 + wrap) * (1.0 + wrap)), 0.0, 1.0);
+        result = base * soft * reach * shade + base * vec3(0.055, 0.024, 0.020);
+        result += min(highlight(nf, v, l, 0.05 + 0.04 * felt.r, 0.028), 3.0) * reach * shade;
+        // The cut edge is thick: fibres stand out of it, and it darkens towards the tissue.
+        float ragged = v_rest.w + 0.16 * (felt.r - 0.5) + 0.10 * (fibre - 0.5);
+        float edge = smoothstep(0.74, 0.94, ragged);
+        result *= 1.0 - 0.50 * edge;
         float through = pow(1.0 - saturate(dot(n, v)), 2.0);
-        colour = vec4(result, mix(0.66, 0.96, through));
+        // Seen along its plane one looks through more of it.
+        float cover = mix(0.68 + 0.18 * pale, 0.97, max(through, edge));
+        colour = vec4(result, cover * (1.0 - smoothstep(0.97, 1.03, ragged)));
         return;
     } else if (v_rest.x > 2.5) {  // suture thread: dyed monofilament, wet
         vec3 base = vec3(0.035, 0.030, 0.150);
