@@ -242,7 +242,7 @@ std::optional<Locus> locate_patch(std::string_view metric, const sim::Recording&
     const Event* shown = nullptr;
     Locus locus;
     for (const Event& e : recording.events) {
-        const bool taken = metric == "patch_grasps" && is_patch_grasp(e);
+        const bool taken = metric == "patch_grasps" && e.kind == EventKind::kGrasped;
         if (taken) ++locus.count;
         if (taken || (metric == "patch_folded_percent" && e.kind == EventKind::kPatchFold))
             shown = &e;

@@ -337,8 +337,8 @@ constexpr MetricDefinition kMetrics[] = {
      "Share of the patch that lies on another layer of it, or stands or turns more than 60 degrees "
      "away from the rest of it, hands off.",
      "Placode"},
-    {"patch_grasps", "Grasps of the patch", "", kLowerIsBetter, "Times that jaws took the patch.",
-     "Placode"},
+    {"patch_grasps", "Grasps of the patch", "", kLowerIsBetter,
+     "Times that jaws closed on the patch, or on tissue instead of it.", "Placode"},
     {"needle_entries", "Entries of the needle", "", kLowerIsBetter,
      "Times that the needle's point opened a surface from outside.", "Placode"},
     {"needle_regrasps", "Needle taken again", "", kLowerIsBetter,

@@ -17,11 +17,6 @@ bool is_point(const Event& e) { return e.kind == EventKind::kPatchEdge && e.elem
 
 }  // namespace
 
-bool is_patch_grasp(const Event& event) noexcept {
-    return event.kind == EventKind::kGrasped && event.tissue == sim::Tissue::kDura &&
-           event.element < 0;
-}
-
 const Event* least_overlap(const sim::Recording& recording) {
     const Event* least = nullptr;
     for (const Event& e : recording.events)
@@ -35,7 +30,7 @@ void add_patch_metrics(const sim::Recording& recording, std::vector<Metric>& out
     for (const Event& e : recording.events) {
         if (e.kind == EventKind::kPatchFold) fold = &e;
         if (e.kind == EventKind::kPatchEdge && e.element < 0) head = &e;
-        grasps += is_patch_grasp(e) ? 1 : 0;
+        grasps += e.kind == EventKind::kGrasped ? 1 : 0;
         if (!is_point(e)) continue;
         const auto overlap_m = static_cast<double>(e.value);
         ++points;

@@ -11,9 +11,6 @@ namespace placode::assessment {
 /// A patch shall reach this far beyond the placode's edge [m]: planning value.
 inline constexpr double kPatchOverlapM = 0.005;
 
-/// Jaws closed on the patch, and on no tissue.
-[[nodiscard]] bool is_patch_grasp(const sim::Event& event) noexcept;
-
 /// The event of the point of the placode's edge beyond which the patch reaches least; nullptr where
 /// nobody looked.
 [[nodiscard]] const sim::Event* least_overlap(const sim::Recording& recording);

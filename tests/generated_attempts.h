@@ -83,7 +83,7 @@ class AttemptMaker {
             if (share > 0)
                 put(recording, EventKind::kGrasped, 2, 3, 0.1, 0.004, 0, 0, sim::Tissue::kDura);
         }
-        const int grasps = static_cast<int>(std::lround(share * 3));
+        const int grasps = has_patch(recording) ? 0 : static_cast<int>(std::lround(share * 3));
         for (int i = 0; i < grasps; ++i) {
             put(recording, EventKind::kGrasped, 1 + 9 * i, 6, 0.1, 0.004, 0.002, 0);
             put(recording, EventKind::kReleased, 9 + 9 * i, 8, 0.01, 0.004, 0.002, 0);

@@ -62,12 +62,9 @@ TEST(PatchMetrics, SayShareMeanLeastOpenAndFolds) {
     EXPECT_EQ(locate("patch_grasps", 1, laid()).time_s, 3);
 }
 
-TEST(PatchMetrics, TissueInTheJawsIsNoGraspOfThePatch) {
+TEST(PatchMetrics, TissueTakenInsteadOfThePatchCountsAsAGrasp) {
     sim::Recording recording = laid();
     recording.events.push_back(grasp(sim::Tissue::kZone, 17));
-    recording.events.push_back(grasp(sim::Tissue::kDura, 17));
-    EXPECT_EQ(*metrics_of_patch(recording).find("patch_grasps"), 1);
-    recording.events.push_back(grasp(sim::Tissue::kDura, -1));
     EXPECT_EQ(*metrics_of_patch(recording).find("patch_grasps"), 2);
 }
 

@@ -3,7 +3,6 @@
 // The task of laying a patch: whole attempts, how it lies, what a bad hand loses.
 #include <gtest/gtest.h>
 
-#include "assessment/patch_metrics.h"
 #include "assessment/scoring.h"
 #include "curriculum/replay.h"
 #include "tests/attempt_fixture.h"
@@ -77,7 +76,7 @@ TEST(PatchPlace, WhoDoesNothingIsNotJudgedAndWhoLeavesItHalfwayEarnsLittle) {
     // Lifted, and the attempt is over.
     const double taken_s = [] {
         for (const sim::Event& e : expert().recording.events)
-            if (assessment::is_patch_grasp(e)) return e.time_s;
+            if (e.kind == sim::EventKind::kGrasped) return e.time_s;
         return 0.0;
     }();
     ASSERT_GT(taken_s, 1);

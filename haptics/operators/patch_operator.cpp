@@ -23,11 +23,12 @@ constexpr int kMostPatchMisses = 3;  // of the jaws, before it gives up
 
 PatchHabits patch_intermediate() {
     PatchHabits h;
-    h.aside_m = 1e-3;
+    h.beside_m = 0.0015;
+    h.aside_m = 5e-4;
     h.lift_m = 0.003;
     h.draw_m_s = 0.010;
     h.aim_m = 8e-4;
-    h.aim_bias_m = 8e-4;
+    h.aim_bias_m = 1.2e-3;
     h.drop_m = 0.001;
     h.press_m = 3e-4;
     h.corrections = 1;
@@ -37,11 +38,12 @@ PatchHabits patch_intermediate() {
 
 PatchHabits patch_novice() {
     PatchHabits h;
-    h.aside_m = 3e-3;
+    h.beside_m = 0.0045;
+    h.aside_m = 1e-3;
     h.lift_m = 0.009;
     h.draw_m_s = 0.020;
     h.aim_m = 1.5e-3;
-    h.aim_bias_m = 2.5e-3;
+    h.aim_bias_m = 4e-3;
     h.drop_m = 0.006;
     h.press_m = 1.2e-3;
     h.corrections = 0;
@@ -119,7 +121,10 @@ void PatchOperator::begin() noexcept {
     const Vec3 way = in_plane(wanted_middle() - patch_middle());
     const Vec3 along = way.normalized(), across = Vec3::UnitZ().cross(along);
     const double care = corrected_ > 0 ? 0.3 : 1;  // who looks again looks better
-    grip_ = rim_towards(way) + care * habits_.aside_m * hand_.random().normal() * across;
+    const double end = hand_.random().uniform() < 0.5 ? -1 : 1;
+    const double beside =
+        care * (end * habits_.beside_m + habits_.aside_m * hand_.random().normal());
+    grip_ = rim_towards(way) + beside * across;
     error_ = -care * habits_.aim_bias_m * along;
     for (int k = 0; k < 2; ++k) error_[k] += care * habits_.aim_m * hand_.random().normal();
     hand_.reach(grip_ + kOverPatchM * Vec3::UnitZ(), Vec3::UnitZ());

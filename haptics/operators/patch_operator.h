@@ -14,7 +14,8 @@ namespace placode::haptics {
 
 /// Habits of one level with a patch. Chosen by trial so that the levels order by how it lies.
 struct PatchHabits {
-    double aside_m = 2e-4;    ///< Taken beside the middle of its side, rms.
+    double beside_m = 0;      ///< Taken so far beside the middle of its side, to either end of it,
+    double aside_m = 2e-4;    ///< and rms about that.
     double lift_m = 0.0015;   ///< The side, while it is drawn.
     double draw_m_s = 0.008;  ///< How fast.
     double aim_m = 1e-4;      ///< Error of judging where its middle belongs, rms.

@@ -281,7 +281,8 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Share of the patch that lies on another layer of it, or stands or turns "
                       "more than 60 degrees away from the rest of it, hands off."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Times that jaws took the patch."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Times that jaws closed on the patch, or on tissue instead of it."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that the needle slid or turned in the jaws."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that jaws took the needle after the first."),
     QT_TRANSLATE_NOOP("MetricDefinition",

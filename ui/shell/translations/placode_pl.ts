@@ -3688,8 +3688,8 @@
         <translation>Część łaty, która leży na innej jej warstwie, stoi lub odwraca się o więcej niż 60 stopni od reszty, bez narzędzi.</translation>
     </message>
     <message>
-        <source>Times that jaws took the patch.</source>
-        <translation>Ile razy szczęki chwyciły łatę.</translation>
+        <source>Times that jaws closed on the patch, or on tissue instead of it.</source>
+        <translation>Ile razy szczęki zamknęły się na łacie lub zamiast niej na tkance.</translation>
     </message>
     <message>
         <source>Times that the needle slid or turned in the jaws.</source>
