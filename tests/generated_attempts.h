@@ -239,7 +239,7 @@ class AttemptMaker {
                 kPlan * std::sin(a))
                 .element = i;
         }
-        put(recording, EventKind::kPatchFold, 30, 0, 3e-4);
+        put(recording, EventKind::kPatchFold, 30, 0, 3e-4, 0.004, 0.003);
     }
     /// It lies worse: drawn aside, off the placode, folded, or taken once more.
     void shift_patch(sim::Recording& r) {
