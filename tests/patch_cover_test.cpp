@@ -20,7 +20,7 @@ namespace THIS_TEST {
 OperativeFieldSpec pad() {
     OperativeFieldSpec spec = test::flat_pad();
     spec.domain_x_m = 0.042;
-    spec.domain_y_m = 0.018;
+    spec.domain_y_m = 0.019;
     spec.edge_ring_m = spec.edge_placode_m = 0.0009;
     spec.edge_outer_m = 0.0020;
     spec.skin_edge_a_m = spec.skin_edge_b_m = 0.0032;
