@@ -142,7 +142,7 @@ class Evidence : public testing::Test {
 TEST_F(Evidence, AnHonestExamCountsOnceItWasSimulatedAgain) {
     Recording recording = honest_attempt();
     const db::AttemptResult result = db::judged(*store, recording);
-    EXPECT_EQ(result.not_verified, "");
+    EXPECT_TRUE(result.not_verified.empty());
     const int64_t id = take(anna, recording);
     EXPECT_EQ(record(id).replay, db::ReplayState::kIdentical) << record(id).void_reason;
     EXPECT_TRUE(db::counts(record(id)));
