@@ -168,6 +168,79 @@ Problem sample_problem(const Recording& r) {
     return {};
 }
 
+/// Seconds, forces, areas, volumes, gaps: nothing that harms can be less than none of it.
+bool is_an_amount(sim::EventKind kind) {
+    using enum sim::EventKind;
+    switch (kind) {
+        case kEnergyOff:
+        case kEnergyInAir:
+        case kDwell:
+        case kVaporised:
+        case kTorn:
+        case kPlacodeContact:
+        case kPlacodeEnergised:
+        case kPlacodeOverheated:
+        case kPlacodeBurned:
+        case kOverForce:
+        case kOverStretch:
+        case kTetherBroken:
+        case kGrasped:
+        case kReleased:
+        case kSlipped:
+        case kCrushed:
+        case kOverTraction:
+        case kSnipped:
+        case kPlacodeCut:
+        case kPieceFree:
+        case kPieceOut:
+        case kCrumb:
+        case kBuried:
+        case kPaused:
+        case kMachineSpeed:
+        case kSlowSpell:
+        case kTractionHeld:
+        case kThreadDrawn:
+        case kStretchSum:
+        case kTakenOut:
+        case kMarkedLost:
+        case kRingGap:
+        case kSlitGap:
+        case kWatertight:
+        case kPatchEdge:
+        case kPatchFold:
+        case kThreadCut:
+        case kThreadToreOut:
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// Its second value is a depth below the surface at rest, of a place that may lie above it.
+bool is_a_depth(sim::EventKind kind) {
+    return kind == sim::EventKind::kVaporised || kind == sim::EventKind::kSnipped;
+}
+
+/// A list after the last frame says in its head how long it is; who takes out what is bad says so.
+Problem list_problem(const Recording& r, sim::EventKind kind) {
+    int64_t heads = 0, entries = 0;
+    double told = 0;
+    for (const sim::Event& event : r.events) {
+        if (event.kind != kind) continue;
+        if (event.element >= 0) {
+            ++entries;
+        } else {
+            ++heads;
+            told = static_cast<double>(event.value);
+        }
+    }
+    if (heads + entries == 0 || (heads == 1 && static_cast<double>(entries) == told)) return {};
+    return Said::that("it has %1 entries of \"%2\", and %3 are told")
+        .with(entries)
+        .with(std::string(event_name(kind)))
+        .with(heads == 1 ? number(told) : std::string("-"));
+}
+
 Problem event_problem(const Recording& r) {
     const sim::Event* last_hash = nullptr;
     for (size_t i = 0; i < r.events.size(); ++i) {
@@ -181,8 +254,18 @@ Problem event_problem(const Recording& r) {
         if (!std::isfinite(event.value) || !std::isfinite(event.value2) ||
             !all_within(event.rest_position_m, kLargestM))
             return Said::that("event %1 has a value that is no number").with(at);
+        const float least =
+            is_a_depth(event.kind) ? event.value : std::min(event.value, event.value2);
+        if (is_an_amount(event.kind) && least < 0)
+            return Said::that("event %1 (%2) has the value %3, expected 0 or more")
+                .with(at)
+                .with(std::string(event_name(event.kind)))
+                .with(number(least));
         if (event.kind == sim::EventKind::kStateHash) last_hash = &event;
     }
+    for (const auto kind : {sim::EventKind::kThermalSpread, sim::EventKind::kRingGap,
+                            sim::EventKind::kSlitGap, sim::EventKind::kPatchEdge})
+        if (Problem problem = list_problem(r, kind)) return problem;
     // The attempt's last event is the hash that the end repeats.
     if (whole_time(r) && last_hash != nullptr && last_hash->hash != r.end.final_hash)
         return Said::that("final_hash is not the hash of its last state");

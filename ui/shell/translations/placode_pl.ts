@@ -10908,6 +10908,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>its records are kept until %1</source>
         <translation>jego zapisy przechowuje się do %1</translation>
     </message>
+    <message>
+        <source>event %1 (%2) has the value %3, expected 0 or more</source>
+        <translation>zdarzenie %1 (%2) ma wartość %3, a oczekiwano 0 lub więcej</translation>
+    </message>
+    <message>
+        <source>it has %1 entries of &quot;%2&quot;, and %3 are told</source>
+        <translation>ma %1 wpisów „%2”, a podano %3</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::Details</name>

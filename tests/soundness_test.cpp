@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a recording must hold to be scored: what is bad can neither be turned round nor left out.
+#include "assessment/soundness.h"
+
+#include <gmock/gmock.h>
+
+namespace placode::assessment {
+namespace THIS_TEST {
+
+using sim::Event;
+using sim::EventKind;
+using testing::HasSubstr;
+
+/// A tenth of a second in which nothing happens.
+sim::Recording sound() {
+    sim::Recording r;
+    r.header.frame_s = 1e-3;
+    r.header.sample_s = 1e-2;
+    r.header.tools.resize(1);
+    for (auto* line : {&r.header.geometry.planned_contour, &r.header.geometry.placode_edge,
+                       &r.header.geometry.skin_edge})
+        *line = {{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}};
+    r.header.geometry.placode_volume_m3 = 1e-9;
+    for (int frame = 0; frame < 100; ++frame) {
+        sim::Input input;
+        input.frame = frame;
+        input.substeps = 4;
+        input.tool_count = 1;
+        r.inputs.push_back(input);
+        if (frame % 10 != 9) continue;
+        sim::Sample sample;
+        sample.time_s = 1e-3 * (frame + 1);
+        sample.placode_peak_c = 37;
+        r.samples.push_back(sample);
+    }
+    r.end.reason = sim::EndReason::kFinished;
+    r.end.duration_s = 0.1;
+    return r;
+}
+
+Event event(EventKind kind, float value, float value2 = 0, int element = -1) {
+    Event e;
+    e.time_s = 0.05;
+    e.kind = kind;
+    e.value = value;
+    e.value2 = value2;
+    e.element = element;
+    return e;
+}
+
+std::string problem(const sim::Recording& r) {
+    const auto found = unsound(r);
+    return found ? found->english() : std::string();
+}
+
+TEST(Soundness, NothingHarmfulIsLessThanNone) {
+    ASSERT_EQ(problem(sound()), "");
+    for (const EventKind kind :
+         {EventKind::kTorn, EventKind::kPlacodeContact, EventKind::kOverForce, EventKind::kBuried,
+          EventKind::kWatertight, EventKind::kThreadDrawn, EventKind::kStretchSum,
+          EventKind::kPatchFold}) {
+        auto r = sound();
+        r.events = {event(kind, 1e-9F, 1e-3F)};
+        EXPECT_EQ(problem(r), "") << event_name(kind);
+        r.events = {event(kind, -1e-9F, 1e-3F)};
+        EXPECT_THAT(problem(r), HasSubstr("expected 0 or more")) << event_name(kind);
+        EXPECT_THAT(problem(r), HasSubstr(std::string(event_name(kind))));
+        r.events = {event(kind, 1e-9F, -1e-3F)};
+        EXPECT_THAT(problem(r), HasSubstr("expected 0 or more")) << event_name(kind);
+    }
+}
+
+TEST(Soundness, AListIsAsLongAsItsHeadTells) {
+    for (const EventKind kind : {EventKind::kSlitGap, EventKind::kPatchEdge, EventKind::kRingGap,
+                                 EventKind::kThermalSpread}) {
+        auto whole = sound();
+        whole.events = {event(kind, 2, 1e-3F), event(kind, 1e-3F, 0, 0), event(kind, 5e-3F, 0, 1)};
+        EXPECT_EQ(problem(whole), "") << event_name(kind);
+        auto shorter = whole;
+        shorter.events.pop_back();
+        EXPECT_THAT(problem(shorter), HasSubstr("1 entries")) << event_name(kind);
+        auto headless = whole;
+        headless.events.erase(headless.events.begin());
+        EXPECT_THAT(problem(headless), HasSubstr("2 entries")) << event_name(kind);
+        auto twice = whole;
+        twice.events.push_back(event(kind, 2, 1e-3F));
+        EXPECT_NE(problem(twice), "") << event_name(kind);
+    }
+}
+
+}  // namespace THIS_TEST
+}  // namespace placode::assessment
