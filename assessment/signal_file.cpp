@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "assessment/csv_reader.h"
+#include "sim/core/text_file.h"
 
 namespace placode::assessment {
 namespace {
@@ -16,9 +17,10 @@ namespace {
 std::vector<CsvRow> rows_of(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     if (!in) throw SignalError(path + ": cannot be read; expected a CSV file");
-    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    const auto text = sim::read_at_most(in, sim::kLargestTable);
+    if (!text) throw SignalError(path + ": has more than 1 GB; expected a CSV file of less");
     try {
-        auto rows = read_csv(text);
+        auto rows = read_csv(*text);
         if (rows.empty()) rows.push_back({{""}, 1});  // no column at all is said by the caller
         return rows;
     } catch (const CsvError& error) {

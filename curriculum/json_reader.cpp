@@ -9,14 +9,13 @@
 #include <vector>
 
 #include "sim/core/near_word.h"
+#include "sim/core/text_file.h"
 
 namespace placode::curriculum {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr size_t kLargestDefinition = size_t{64} << 20;  // bytes; our largest has 40 kB
 
 /// "line 3, column 14" of a byte offset, both from 1.
 std::string place_of(const std::string& text, size_t byte) {
@@ -35,15 +34,10 @@ std::string read_definition(const fs::path& file) {
         throw DefinitionError(file.string(), "", "is a folder; expected a JSON file");
     std::ifstream in(file, std::ios::binary);
     if (!in) throw DefinitionError(file.string(), "", "cannot be opened; check path and rights");
-    // A device gives bytes without end, and its size is not known before.
-    std::string text;
-    std::vector<char> part(size_t{1} << 16);
-    while (in.read(part.data(), static_cast<std::streamsize>(part.size())) || in.gcount() > 0) {
-        text.append(part.data(), static_cast<size_t>(in.gcount()));
-        if (text.size() > kLargestDefinition)
-            throw DefinitionError(file.string(), "", "is larger than 64 MB; expected at most that");
-    }
-    return text;
+    auto text = sim::read_at_most(in, sim::kLargestText);
+    if (!text)
+        throw DefinitionError(file.string(), "", "is larger than 64 MB; expected at most that");
+    return std::move(*text);
 }
 
 fs::path find_definition(const std::string& kind, const std::string& id_or_file) {

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "sim/core/number_text.h"
+#include "sim/core/text_file.h"
 
 namespace placode::haptics {
 
@@ -147,8 +148,9 @@ Station Station::of_this_computer() {
             throw DeviceError(path + ": cannot be read; PLACODE_STATION names it");
         return {};
     }
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    return parse(text, path);
+    const auto text = sim::read_at_most(in, sim::kLargestText);
+    if (!text) throw DeviceError(path + ": has more than 64 MB; expected a station file");
+    return parse(*text, path);
 }
 
 std::string Station::text(std::string_view key) const {

@@ -10,6 +10,7 @@
 #include "batches/plan.h"
 #include "db/standards.h"
 #include "sim/core/counted.h"
+#include "sim/core/text_file.h"
 #include "ui/cli/batch.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/seed_list.h"
@@ -102,11 +103,11 @@ std::vector<batches::OrderedRecording> out_of_store(const Context& context,
 std::string scene_changes_of(const BatchPlanOptions& options) {
     if (options.scene_changes.empty()) return {};
     std::ifstream in(options.scene_changes, std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(in), {});
-    if (!in || !Json::parse(text, nullptr, false).is_object())
+    auto text = sim::read_at_most(in, in ? sim::kLargestText : 0);
+    if (!text || !Json::parse(*text, nullptr, false).is_object())
         throw InputError("--scene-changes " + options.scene_changes +
                          ": expected a file with a JSON object, as {\"edge_ring_m\": 0.001}");
-    return text;
+    return std::move(*text);
 }
 
 batches::Manifest plan_of(const Context& context, const BatchPlanOptions& options) {

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <fstream>
 #include <memory>
-#include <sstream>
 
 #include "reports/people_file.h"
 #include "sim/core/counted.h"
+#include "sim/core/text_file.h"
 #include "ui/cli/people.h"
 
 namespace placode::cli {
@@ -41,9 +41,9 @@ auto as_list(Work&& work) {
 std::string whole_file(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     if (!in) throw InputError(path + ": cannot be read; expected a CSV file");
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
+    auto text = sim::read_at_most(in, sim::kLargestText);
+    if (!text) throw InputError(path + ": has more than 64 MB; expected a CSV file of less");
+    return std::move(*text);
 }
 
 int import_people(const Context& context, const PeopleOptions& options) {

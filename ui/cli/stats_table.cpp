@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "assessment/csv_reader.h"
+#include "sim/core/text_file.h"
 
 namespace placode::cli {
 namespace {
@@ -66,10 +67,11 @@ StatsTable read_stats_table(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     if (!in)
         throw InputError("read " + path + ": the file cannot be opened; check name and rights");
-    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    const auto text = sim::read_at_most(in, sim::kLargestTable);
+    if (!text) throw InputError("read " + path + ": the file has more than 1 GB; expected less");
     std::vector<assessment::CsvRow> all;
     try {
-        all = assessment::read_csv(text);
+        all = assessment::read_csv(*text);
     } catch (const assessment::CsvError& error) {
         throw InputError(path + ": " + error.what());
     }
