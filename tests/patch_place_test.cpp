@@ -61,6 +61,7 @@ TEST(PatchPlace, LevelsDifferByHowItLies) {
     EXPECT_GT(middle.value("patch_overlap_least_mm"), bad.value("patch_overlap_least_mm"));
     EXPECT_LT(bad.value("patch_overlap_least_mm"), 4.5) << "left short of its place";
     EXPECT_LT(bad.value("patch_overlap_percent"), 90);
+    EXPECT_NE(bad.score.verdict, assessment::Verdict::kPassed) << bad.score.points;
 }
 
 /// The end of the attempt is not the end of the patch's way: hands off, it lies where it lies.
