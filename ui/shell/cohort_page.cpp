@@ -169,10 +169,10 @@ class CohortPage : public Page {
             table_->setColumnWidth(c, manyTasks() ? kManyTasks : kFewTasks);
         table_->horizontalHeader()->setMinimumSectionSize(kLeastTask);
         wrap_titles(table_);
-        // A name ends in dots before the scores of twelve tasks scroll sideways.
+        // A name ends in dots before the scores of fourteen tasks scroll sideways.
         keep_within(
             table_,
-            {.stretch = 0, .least_px = 180, .keep_px = manyTasks() ? 150 : 180, .drop = {1}});
+            {.stretch = 0, .least_px = 180, .keep_px = manyTasks() ? 104 : 180, .drop = {1}});
         table_->setMinimumHeight(std::min(10, table_->rowCount() + 3) * kTouchTarget + 20);
         connect(table_, &QTableWidget::cellActivated, this, [this](int row, int column) {
             const auto index =
