@@ -136,7 +136,7 @@ TEST_P(StationRole, WhatItDoesPastTheProgramsShows) {
                       "created_utc) VALUES ('', 15, 1, 0, '2026-01-01T00:00:00.000Z')"),
           "DELETE FROM attempt_events WHERE attempt_id = " + attempt +
               "; DELETE FROM recordings WHERE attempt_id = " + attempt}) {
-        const bool saves = edit.find("void_reason") != std::string::npos;
+        const bool saves = edit.find("SET void_") != std::string::npos;
         EXPECT_EQ(at_the_station().run(edit), saves) << edit;
         RawConnection service = World::get().server().connect_service(database);
         ASSERT_TRUE(service.run(edit)) << edit << ": " << service.problem();
