@@ -113,6 +113,9 @@ TEST_F(Install, TheDesktopFindsItsFiles) {
         EXPECT_TRUE(fs::exists(there(path))) << path;
     EXPECT_THAT(read_text(there("lib/systemd/user/placode-backup.service")),
                 HasSubstr("ExecStart=/usr/lib/placode/scheduled-backup"));
+    const Outcome help = shell("'" + there("lib/placode/shared-station") + "' --help");
+    EXPECT_EQ(help.status, 0) << help.err;
+    EXPECT_THAT(help.out, HasSubstr("sudo /usr/lib/placode/shared-station LOGIN"));
 }
 
 TEST_F(Install, CompletionAsksTheProgram) {

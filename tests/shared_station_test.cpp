@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// scripts/shared_station.sh on a server of its own: users of this computer come in by who they are,
+// packaging/shared-station on a server of its own: users of this computer come in by who they are,
 // and nobody opens the store's files.
 
 #include <gmock/gmock.h>
@@ -73,7 +73,7 @@ class SharedStation : public testing::Test {
     static std::string as(const std::string& user) { return "cd / && runuser -u " + user + " -- "; }
     [[nodiscard]] Ended set_up(const std::string& people) const {
         return run(std::string(PLACODE_SOURCE_DIR) +
-                   "/scripts/shared_station.sh --owner games --socket " + folder_ +
+                   "/packaging/shared-station --owner games --socket " + folder_ +
                    " --placodectl " + PLACODE_BIN_DIR + "/placodectl " + people);
     }
     [[nodiscard]] Ended sql(const std::string& user, const std::string& text,

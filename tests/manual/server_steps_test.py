@@ -4,7 +4,8 @@
 terminal, in the order of the page, and its questions are answered there.
 
 Only what belongs to one computer is another: the port, three folders, and `sudo` and `systemctl`,
-which lead to a PostgreSQL of this test. That server has no way in but its own socket until the page
+which lead to a PostgreSQL of this test; and SHARED, which needs users of this computer, is that of
+shared_station_test. That server has no way in but its own socket until the page
 opens one. The station is this computer under the server's name (PGHOSTADDR)."""
 
 import os
@@ -27,7 +28,7 @@ ANSWERS = [
     ("Password for postgresql://placode_owner", OWNER),
     ("Password of ada", ADA),
 ]
-SERVER, ENCRYPT, TABLES, STATIONS, MOVE, BACK, COPY = range(7)
+SERVER, ENCRYPT, TABLES, STATIONS, SHARED, MOVE, BACK, COPY = range(8)
 
 
 def commands_of(language):
@@ -114,7 +115,7 @@ class ServerSteps(unittest.TestCase):
 
     def test_both_languages_have_the_same_commands(self):
         self.assertEqual(commands_of("pl"), self.pages)
-        self.assertEqual([len(section) > 0 for section in self.pages], [True] * 7)
+        self.assertEqual([len(section) > 0 for section in self.pages], [True] * 8)
 
     def prepare_the_file(self):
         """The store that will move: an administrator and an attempt."""
