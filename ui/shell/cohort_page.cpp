@@ -24,7 +24,7 @@
 namespace placode::ui {
 namespace {
 
-constexpr int kFewTasks = 170, kManyTasks = 116, kLeastTask = 48;  ///< Width of a column [px].
+constexpr int kFewTasks = 170, kManyTasks = 116, kLeastTask = 44;  ///< Width of a column [px].
 
 using assessment::CohortCell;
 using assessment::Standing;
@@ -170,9 +170,11 @@ class CohortPage : public Page {
         table_->horizontalHeader()->setMinimumSectionSize(kLeastTask);
         wrap_titles(table_);
         // A name ends in dots before the scores of fourteen tasks scroll sideways.
-        keep_within(
-            table_,
-            {.stretch = 0, .least_px = 180, .keep_px = manyTasks() ? 104 : 180, .drop = {1}});
+        keep_within(table_, {.stretch = 0,
+                             .least_px = 180,
+                             .keep_px = manyTasks() ? 104 : 180,
+                             .least_column_px = kLeastTask,
+                             .drop = {1}});
         table_->setMinimumHeight(std::min(10, table_->rowCount() + 3) * kTouchTarget + 20);
         connect(table_, &QTableWidget::cellActivated, this, [this](int row, int column) {
             const auto index =
@@ -198,11 +200,13 @@ class CohortPage : public Page {
         const char* sign = cell.standing == Standing::kPassing ? "✓"
                            : needs_help(cell.standing)         ? "▼"
                                                                : "·";
-        QString words = QString("%1 %2").arg(sign, format_points(cell.last));
-        if (!manyTasks()) words += QString("  %1×").arg(cell.attempts);
+        const QString words =
+            manyTasks()
+                ? sign + QString::number(whole_points(cell.last))
+                : QString("%1 %2  %3×").arg(sign, format_points(cell.last)).arg(cell.attempts);
         QTableWidgetItem* item = make_number_cell(words, cell.last);
         item->setToolTip(
-            standing_words(cell.standing) + " · " +
+            standing_words(cell.standing) + " · " + format_points(cell.last) + " · " +
             tr("best %1, passed in a row: %2").arg(format_points(cell.best)).arg(cell.streak) +
             " · " + tr("attempts: %1").arg(cell.attempts));
         const Tokens& colors = context_.colors();

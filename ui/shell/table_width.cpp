@@ -17,18 +17,18 @@ namespace placode::ui {
 namespace {
 
 constexpr int kRowsLooked = 20;  ///< For buttons.
-constexpr int kLeastColumn = 52, kTitleLines = 3, kTitlePadding = 20;
+constexpr int kTitleLines = 3, kTitlePadding = 20;
 constexpr int kCellPadding = 28;                    ///< Of the style sheet and of Qt [px].
 constexpr int kTitlePx = 12, kTitleLine = 17;       ///< Letters and lines of a title [px].
 constexpr int kUpright = 100, kTurnedHeight = 168;  ///< Least width across; height turned [px].
 
-/// Largest width that every column may have so that all of them fit into `room`.
-int widest_allowed(std::vector<int> wanted, int room) {
+/// Largest width that every column may have so that all of them fit into `room`; at least `least`.
+int widest_allowed(std::vector<int> wanted, int room, int least) {
     std::sort(wanted.begin(), wanted.end());
     int left = room;
     for (size_t i = 0; i < wanted.size(); ++i) {
         const int share = left / static_cast<int>(wanted.size() - i);
-        if (wanted[i] > share) return std::max(kLeastColumn, share);
+        if (wanted[i] > share) return std::max(least, share);
         left -= wanted[i];
     }
     return room;
@@ -99,7 +99,7 @@ class WidthKeeper : public QObject {
             else
                 shown.push_back(wanted_[static_cast<size_t>(c)]);
         }
-        const int most = widest_allowed(shown, room - fit_.keep_px - fixed);
+        const int most = widest_allowed(shown, room - fit_.keep_px - fixed, fit_.least_column_px);
         for (int c = 0; c < table_->columnCount(); ++c)
             if (c != fit_.stretch && !left_out.contains(c) && !buttons_.contains(c))
                 table_->setColumnWidth(c, std::min(most, wanted_[static_cast<size_t>(c)]));

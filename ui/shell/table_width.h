@@ -13,6 +13,7 @@ struct TableFit {
     int stretch = 0;             ///< Column that takes the rest, as for fit_columns().
     int least_px = 110;          ///< Width below which columns are left out.
     int keep_px = 110;           ///< Width that it keeps while the others are narrowed.
+    int least_column_px = 52;    ///< Nothing is narrowed below this.
     std::vector<int> drop = {};  ///< Columns to leave out, the first one first: what a click
                                  ///< on the row shows anyway.
 };
