@@ -17,8 +17,24 @@ class HeatDelegate : public QStyledItemDelegate {
         const QVariant brush = index.data(Qt::BackgroundRole);
         if (brush.isValid())
             painter->fillRect(option.rect.adjusted(2, 2, -2, -2), brush.value<QBrush>());
-        QStyledItemDelegate::paint(painter, option, index);
+        // In a narrow column the style's margins would leave no room for a score.
+        QStyleOptionViewItem drawn = option;
+        initStyleOption(&drawn, index);
+        const QString text = drawn.text;
+        const int width = drawn.fontMetrics.horizontalAdvance(text);
+        if (!brush.isValid() || width + kMargins <= option.rect.width())
+            return QStyledItemDelegate::paint(painter, option, index);
+        painter->save();
+        painter->setFont(drawn.font);
+        painter->setPen(drawn.palette.color(QPalette::Text));
+        painter->drawText(option.rect, Qt::AlignCenter, text);
+        if ((option.state & QStyle::State_Selected) != 0)
+            painter->drawRect(option.rect.adjusted(1, 1, -2, -2));
+        painter->restore();
     }
+
+ private:
+    static constexpr int kMargins = 32;  ///< Of a cell's text, both sides [px].
 };
 
 }  // namespace placode::ui
