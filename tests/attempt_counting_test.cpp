@@ -11,6 +11,7 @@
 
 #include "curriculum/task.h"
 #include "db/course_conduct.h"
+#include "db/evidence.h"
 #include "db/norm_bands.h"
 #include "db/standards.h"
 #include "tests/recorded_attempt.h"
@@ -60,6 +61,20 @@ class Counting : public EngineTest {
     std::unique_ptr<db::Store> store;
     int64_t user = 0;
 };
+
+/// Whatever else stands in the row: what is not simulated again yet, or gave something else, is no
+/// proof.
+TEST(ReplayCounts, WhatWasSimulatedAgainHasToBeIdentical) {
+    db::AttemptRecord attempt;
+    attempt.verdict = assessment::Verdict::kPassed;
+    for (const auto& [replay, counts] :
+         {std::pair{db::ReplayState::kNotReplayed, true},
+          std::pair{db::ReplayState::kIdentical, true}, std::pair{db::ReplayState::kWaiting, false},
+          std::pair{db::ReplayState::kDiffers, false}}) {
+        attempt.replay = replay;
+        EXPECT_EQ(db::counts(attempt), counts) << db::replay_name(replay);
+    }
+}
 
 TEST(SlowMachine, IsSaidInPlainWordsWithTheFigureAndTheLimit) {
     EXPECT_EQ(said({}), "") << "scripts and windowless runs say nothing";
