@@ -8,6 +8,7 @@
 #include "sim/contact/contact_core.h"
 #include "sim/contact/patch_contact.h"
 #include "sim/core/as_index.h"
+#include "sim/core/turn.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
 
@@ -21,11 +22,6 @@ constexpr double kModesLongest = 0.25;  // of an edge, in a substep
 // What moves less than floats resolve a few centimetres from the origin is at rest: it must not
 // creep by rounding [m].
 constexpr double kModesRounding = 1e-10;
-
-/// m (r . r - r r^T).
-Mat3 inertia_of(double mass, const Vec3& r) noexcept {
-    return mass * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
-}
 
 /// Forces on a body and how they change as it moves and turns about a point. Times h^2.
 struct Pushes {

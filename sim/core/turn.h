@@ -23,4 +23,9 @@ inline void turn_by(Quat& q, const Vec3& turn) noexcept {
     q.coeffs() *= 1 / std::sqrt(q.squaredNorm());
 }
 
+/// Inertia of a point about the origin: m (r . r - r r^T) [kg m^2].
+[[nodiscard]] inline Mat3 inertia_of(double mass_kg, const Vec3& r_m) noexcept {
+    return mass_kg * (r_m.squaredNorm() * Mat3::Identity() - r_m * r_m.transpose());
+}
+
 }  // namespace placode::sim

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "sim/core/as_index.h"
+#include "sim/core/turn.h"
 #include "sim/solver/double_float.h"
 
 namespace placode::sim {
@@ -19,11 +20,6 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 constexpr uint8_t kAllAxes = 7;
 constexpr double kThin = 1e-9;     // of the trace: a body shrunk to a line has no spin
 constexpr double kSettled = 1e-7;  // of an edge: what such a step leaves is its square
-
-/// m (r . r - r r^T).
-Mat3 inertia_of(double mass, const Vec3& r) {
-    return mass * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
-}
 
 bool can_turn(const Mat3& inertia) {
     const Vec3 principal = inertia.selfadjointView<Eigen::Lower>().eigenvalues();
