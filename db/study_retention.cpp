@@ -33,6 +33,7 @@ class YearsOfVersions {
     YearsOfVersions(Store& store, const std::string& study_id)
         : store_(store), study_id_(study_id) {}
     int of(int version) {
+        if (version == 0) return 0;  // enrolled without a protocol
         const auto known = years_.find(version);
         if (known != years_.end()) return known->second;
         const auto protocol = published_study(store_, study_id_, version);
@@ -61,14 +62,17 @@ std::string years_later(const std::string& utc, int years) {
 }
 
 std::vector<KeptRecords> kept_records(Store& store, const std::string& study_id) {
-    const auto last = last_records(store, study_id);
     YearsOfVersions years(store, study_id);
     std::vector<KeptRecords> kept;
-    for (const ParticipantRecord& each : store.studies().participants(study_id)) {
-        const auto newest = last.find(each.code);
-        const int told = each.protocol_version > 0 ? years.of(each.protocol_version) : 0;
-        if (newest == last.end() || told == 0) continue;
-        kept.push_back({each.code, newest->second, told, years_later(newest->second, told)});
+    for (const ParticipantRecord& each : store.studies().participants(study_id))
+        if (const int told = years.of(each.protocol_version); told > 0)
+            kept.push_back({each.code, {}, told, {}});
+    if (kept.empty()) return kept;  // most studies: their records need not be read
+    const auto last = last_records(store, study_id);
+    std::erase_if(kept, [&](const KeptRecords& each) { return !last.contains(each.code); });
+    for (KeptRecords& each : kept) {
+        each.last_utc = last.at(each.code);
+        each.until_utc = years_later(each.last_utc, each.keep_years);
     }
     std::stable_sort(kept.begin(), kept.end(), [](const KeptRecords& a, const KeptRecords& b) {
         return a.until_utc < b.until_utc;
