@@ -10,27 +10,17 @@
 #include "sim/step/step.h"
 #include "sim/world/scene.h"
 #include "sim/world/state.h"
-#include "tests/box_scene.h"
-#include "tests/flat_pad.h"
+#include "tests/patch_pad.h"
 
 namespace placode::sim {
 namespace THIS_TEST {
 
 /// A flat pad with a placode of 2.2 mm in its middle and a patch of 16 x 14 mm beside it.
 OperativeFieldSpec pad() {
-    OperativeFieldSpec spec = test::flat_pad();
+    OperativeFieldSpec spec = test::patch_pad();
     spec.domain_x_m = 0.042;
     spec.domain_y_m = 0.019;
-    spec.edge_ring_m = spec.edge_placode_m = 0.0009;
     spec.edge_outer_m = 0.0020;
-    spec.skin_edge_a_m = spec.skin_edge_b_m = 0.0032;
-    spec.placode_a_m = spec.placode_b_m = 0.0011;
-    spec.contour_offset_m = 0.0008;
-    ToolSpec grasper;
-    grasper.kind = ToolKind::kGrasper;
-    grasper.tip_length_m = 0.005;
-    spec.tools = {grasper};
-    spec.patch.emplace();
     spec.patch->length_m = 0.016;
     spec.patch->width_m = 0.014;
     spec.patch->centre_m = Vec2(-0.0100, 0);

@@ -6,24 +6,13 @@
 #include "assessment/scoring.h"
 #include "curriculum/replay.h"
 #include "tests/attempt_fixture.h"
+#include "tests/judged_attempt.h"
 
 namespace placode::curriculum {
 namespace THIS_TEST {
 
-struct Outcome {
-    sim::Recording recording;
-    assessment::MetricSet metrics;
-    assessment::Score score;
-    [[nodiscard]] double value(const char* id) const { return metrics.find(id).value_or(-1); }
-};
-
-Outcome judged(const Task& task, sim::Recording recording) {
-    Outcome out;
-    out.recording = std::move(recording);
-    out.metrics = assessment::compute_metrics(out.recording);
-    out.score = assessment::score_attempt(task.rubric, out.metrics, out.recording);
-    return out;
-}
+using test::judged;
+using test::Outcome;
 
 Outcome perform(const std::string& level, uint64_t seed) {
     const Task task = load_task("patch_place");

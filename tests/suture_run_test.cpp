@@ -11,17 +11,13 @@
 #include "curriculum/replay.h"
 #include "sim/world/saved_state.h"
 #include "tests/count_allocations.h"
+#include "tests/judged_attempt.h"
 #include "tests/live_attempt.h"
 
 namespace placode::curriculum {
 namespace THIS_TEST {
 
-struct Outcome {
-    sim::Recording recording;
-    assessment::MetricSet metrics;
-    assessment::Score score;
-    [[nodiscard]] double value(const char* id) const { return metrics.find(id).value_or(-1); }
-};
+using test::Outcome;
 
 /// On a field that a test can afford.
 Task coarse_run() {
@@ -31,10 +27,7 @@ Task coarse_run() {
 }
 
 Outcome judged(const Task& task, sim::Recording recording, const std::string& level) {
-    Outcome out;
-    out.recording = std::move(recording);
-    out.metrics = assessment::compute_metrics(out.recording);
-    out.score = assessment::score_attempt(task.rubric, out.metrics, out.recording);
+    Outcome out = test::judged(task, std::move(recording));
     for (const assessment::Metric& metric : out.metrics.values)
         if (metric.id.substr(0, 4) == "bite" || metric.id.substr(0, 6) == "needle")
             ::testing::Test::RecordProperty(level + "_" + metric.id, std::to_string(metric.value));

@@ -12,6 +12,7 @@
 #include "sim/contact/slit_gap.h"
 #include "sim/step/snapshot.h"
 #include "tests/attempt_fixture.h"
+#include "tests/judged_attempt.h"
 
 namespace placode::curriculum {
 namespace THIS_TEST {
@@ -23,20 +24,8 @@ double open_leak_ml_min() {
     return 6e7 * 0.6 * area_m2 * std::sqrt(2 * assessment::kLeakPa / 1005);
 }
 
-struct Outcome {
-    sim::Recording recording;
-    assessment::MetricSet metrics;
-    assessment::Score score;
-    [[nodiscard]] double value(const char* id) const { return metrics.find(id).value_or(-1); }
-};
-
-Outcome judged(const Task& task, sim::Recording recording) {
-    Outcome out;
-    out.recording = std::move(recording);
-    out.metrics = assessment::compute_metrics(out.recording);
-    out.score = assessment::score_attempt(task.rubric, out.metrics, out.recording);
-    return out;
-}
+using test::judged;
+using test::Outcome;
 
 Outcome perform(const std::string& level, uint64_t seed) {
     const Task task = load_task("suture_slit");

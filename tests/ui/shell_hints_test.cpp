@@ -359,15 +359,21 @@ void ShellHintsTest::aDemonstrationSaysWhoMaySignIn() {
     QCOMPARE(shell.context().user().login, std::string("demo-anna"));
 }
 
-void ShellHintsTest::whatIsInDoubtIsNotCalledTuned() {
-    QVERIFY(shell_->signIn("nina", "quiet river 7"));
+/// Of an exercise, at that time.
+static db::AttemptResult passed_attempt(const char* started_utc) {
     db::AttemptResult result;
     result.header.task_id = "grasp_and_lift";
     result.header.device = "mouse";
-    result.header.started_utc = "2026-03-01T10:00:00Z";
+    result.header.started_utc = started_utc;
     result.end.reason = sim::EndReason::kFinished;
     result.end.duration_s = 20;
     result.score.verdict = assessment::Verdict::kPassed;
+    return result;
+}
+
+void ShellHintsTest::whatIsInDoubtIsNotCalledTuned() {
+    QVERIFY(shell_->signIn("nina", "quiet river 7"));
+    db::AttemptResult result = passed_attempt("2026-03-01T10:00:00Z");
     result.not_verified = {{db::VoidCause::kTaskDiffers, 0, 0, db::Said::as_is("it version 1")}};
     const int64_t doubted = shell_->owner().attempts().save(user_, result);
     shell_->window().open({PageId::kHistory, 0, {}, {{"task", "grasp_and_lift"}}});
@@ -383,13 +389,7 @@ void ShellHintsTest::whatIsInDoubtIsNotCalledTuned() {
 
 void ShellHintsTest::whatIsInDoubtIsNamedInTheProgramsLanguage() {
     QVERIFY(shell_->signIn("nina", "quiet river 7"));
-    db::AttemptResult result;
-    result.header.task_id = "grasp_and_lift";
-    result.header.device = "mouse";
-    result.header.started_utc = "2026-03-02T10:00:00Z";
-    result.end.reason = sim::EndReason::kFinished;
-    result.end.duration_s = 20;
-    result.score.verdict = assessment::Verdict::kPassed;
+    db::AttemptResult result = passed_attempt("2026-03-02T10:00:00Z");
     result.not_verified = {
         {db::VoidCause::kUnsound, 0, 0,
          db::Said::that("sample %1 has a tip that lies nowhere").with(12)},
