@@ -100,6 +100,21 @@ TEST(Scissors, NothingChangesBeyondTheCut) {
         EXPECT_LT(at(state, v).x(), -0.001 + 0.0005 + 2e-4);
         EXPECT_LT(std::abs(at(state, v).y()), 0.0006);
     }
+    // No face farther ahead than the roundness of the tips is parted, by its middle.
+    constexpr double kTipX = -0.001, kRoundness = 2e-4;
+    double farthest = -1;
+    for (int t = 0; t < scene.body.tet_count(); ++t) {
+        for (int f = 0; f < 4; ++f) {
+            const bool inner = scene.surface.neighbours()[static_cast<size_t>(t)][f] >= 0;
+            if (!inner || !state.surface.on_surface(t, f)) continue;
+            double x = 0;
+            for (const int k : kTetFaces[f])
+                x += at(state, corners(scene.body, state.body, t)[k]).x() / 3;
+            farthest = std::max(farthest, x);
+        }
+    }
+    EXPECT_GT(farthest, kTipX - 0.0005) << "and up to the tips it is";
+    EXPECT_LT(farthest, kTipX + kRoundness + 1e-6);
     double mass = 0, whole = 0;
     for (int v = 0; v < state.body.topology->vertices; ++v) {
         mass += static_cast<double>(mass_of(scene.body, state.body, v));
