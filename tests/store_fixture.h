@@ -112,7 +112,8 @@ class RawConnection {
 };
 
 /// PostgreSQL 15 on 127.0.0.1 and a free port, scram with a made-up password, in a folder of its
-/// own. It dies with the test, however the test ends.
+/// own. It dies with the test, however the test ends. initdb takes longer than most tests: with
+/// PLACODE_TEST_CLUSTER, a folder that need not be there, its result is kept for the next program.
 class PostgresqlServer {
  public:
     PostgresqlServer() {
@@ -121,20 +122,9 @@ class PostgresqlServer {
             return;
         }
         folder_ = std::make_unique<TemporaryFolder>();
-        std::random_device random;
-        for (int i = 0; i < 24; ++i) password_ += static_cast<char>('a' + random() % 26);
-        std::ofstream(folder_->file("password")) << password_;
         give_away(folder_->path());
-        give_away(folder_->file("password"));
         port_ = free_port();
-        const int made =
-            wait_for(start({kPrograms + "initdb", "-D", folder_->file("data"), "-U", "placode",
-                            "-A", "scram-sha-256", "-E", "UTF8", "--no-locale", "--no-sync",
-                            "--pwfile=" + folder_->file("password")}));
-        if (made != 0) {
-            problem_ = "initdb failed: " + log();
-            return;
-        }
+        if (!take_kept_cluster() && !make_cluster()) return;
         server_ = start({kPrograms + "postgres", "-D", folder_->file("data"), "-p",
                          std::to_string(port_), "-c", "listen_addresses=127.0.0.1", "-c",
                          "fsync=off", "-c", "unix_socket_directories=" + folder_->path().string()});
@@ -153,11 +143,12 @@ class PostgresqlServer {
     /// Missing programs are a reason to skip, everything else to fail.
     [[nodiscard]] bool missing() const { return folder_ == nullptr; }
     [[nodiscard]] const std::string& problem() const { return problem_; }
+    /// Copied file by file: through the log it takes five times as long.
     /// @param options behind CREATE DATABASE NAME; none: texts are sorted by their bytes.
     [[nodiscard]] std::string new_database(const std::string& options = "") {
         const std::string name = "store" + std::to_string(++databases_);
         RawConnection admin("QPSQL", "postgres", port_, password_);
-        if (!admin.run("CREATE DATABASE " + name + " " + options))
+        if (!admin.run("CREATE DATABASE " + name + " STRATEGY file_copy " + options))
             throw std::runtime_error(admin.problem());
         return name;
     }
@@ -182,6 +173,23 @@ class PostgresqlServer {
     }
     [[nodiscard]] RawConnection connect_station(const std::string& database) const {
         return {"QPSQL", database, port_, password_, "theatre"};
+    }
+    /// A database with the tables of the store and the roles of make_station(). All are copies of
+    /// the first: making the tables takes longer than most tests.
+    [[nodiscard]] std::string new_store(const db::StoreOptions& options) {
+        if (model_.empty()) {
+            const std::string made = new_database();
+            (void)db::open_store(url(made), options);
+            make_station(made);
+            model_ = made;
+        }
+        std::string copy = new_database("TEMPLATE " + model_);
+        // Rights on a database itself are not copied with it.
+        RawConnection owner = connect(copy);
+        for (const std::string& each : db::station_role_statements())
+            if (each.find(" ON DATABASE ") != std::string::npos && !owner.run(each))
+                throw std::runtime_error(owner.problem() + "\n" + each);
+        return copy;
     }
     void make_station(const std::string& database) const {
         RawConnection owner = connect(database);
@@ -213,6 +221,54 @@ class PostgresqlServer {
  private:
     inline static const std::string kPrograms = "/usr/lib/postgresql/15/bin/";
 
+    bool make_cluster() {
+        std::random_device random;
+        for (int i = 0; i < 24; ++i) password_ += static_cast<char>('a' + random() % 26);
+        std::ofstream(folder_->file("password")) << password_;
+        give_away(folder_->file("password"));
+        const int made =
+            wait_for(start({kPrograms + "initdb", "-D", folder_->file("data"), "-U", "placode",
+                            "-A", "scram-sha-256", "-E", "UTF8", "--no-locale", "--no-sync",
+                            "--pwfile=" + folder_->file("password")}));
+        if (made != 0) problem_ = "initdb failed: " + log();
+        if (made == 0) keep_cluster();
+        return made == 0;
+    }
+    /// Whole or not at all: programs run side by side.
+    void keep_cluster() const {
+        const char* kept = std::getenv("PLACODE_TEST_CLUSTER");
+        if (kept == nullptr) return;
+        const std::string part = kept + std::string(".") + std::to_string(::getpid());
+        std::error_code failed;
+        fs::create_directory(part, failed);
+        fs::permissions(part, fs::perms::owner_all, failed);
+        for (const char* name : {"data", "password"})
+            if (!failed)
+                fs::copy(folder_->file(name), fs::path(part) / name, fs::copy_options::recursive,
+                         failed);
+        if (!failed) fs::rename(part, kept, failed);  // Fails where another program was first.
+        fs::remove_all(part, failed);
+    }
+    bool take_kept_cluster() {
+        const char* kept = std::getenv("PLACODE_TEST_CLUSTER");
+        std::error_code failed;
+        if (kept == nullptr || !fs::exists(kept, failed)) return false;
+        if (fs::last_write_time(kept, failed) < fs::last_write_time(kPrograms + "initdb", failed)) {
+            fs::remove_all(kept, failed);  // PostgreSQL was updated.
+            return false;
+        }
+        const std::string data = folder_->file("data");
+        fs::copy(fs::path(kept) / "data", data, fs::copy_options::recursive, failed);
+        std::ifstream(fs::path(kept) / "password") >> password_;
+        if (failed || password_.empty()) {
+            fs::remove_all(data, failed);
+            password_.clear();
+            return false;
+        }
+        give_away(data);
+        for (const auto& each : fs::recursive_directory_iterator(data)) give_away(each.path());
+        return true;
+    }
     /// Root may not run a server: it is run as `postgres` then.
     void give_away(const fs::path& path) const {
         if (::geteuid() != 0) return;
@@ -257,6 +313,7 @@ class PostgresqlServer {
 
     std::unique_ptr<TemporaryFolder> folder_;
     std::string password_, problem_;
+    std::string model_;  ///< The database that new_store() copies.
     int port_ = 0, databases_ = 0;
     pid_t server_ = -1;
 };
@@ -311,11 +368,7 @@ class EngineTest : public testing::TestWithParam<const char*> {
             PostgresqlServer& server = World::get().server();
             if (server.missing()) GTEST_SKIP() << server.problem();
             ASSERT_EQ(server.problem(), "");
-            database = server.new_database();
-            if (at_station()) {
-                (void)db::open_store(server.url(database), options);  // Makes the tables.
-                server.make_station(database);
-            }
+            database = at_station() ? server.new_store(options) : server.new_database();
         }
         ready();
     }
