@@ -28,7 +28,7 @@ inline void write_text(const std::string& path, const std::string& text) {
 class Programs : public testing::Test {
  protected:
     void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "placode-programs-XXXXXX").string();
+        std::string name = (scratch_root() / "placode-programs-XXXXXX").string();
         ASSERT_NE(::mkdtemp(name.data()), nullptr);
         folder = name;
         store = folder + "/placode.db";

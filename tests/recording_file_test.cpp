@@ -16,6 +16,7 @@
 
 #include "db/recording_chunks.h"
 #include "db/store.h"
+#include "tests/scratch_root.h"
 
 using namespace placode;
 namespace fs = std::filesystem;
@@ -25,7 +26,7 @@ namespace THIS_TEST {
 class Folder {
  public:
     Folder() {
-        std::string name = (fs::temp_directory_path() / "placode-recording-XXXXXX").string();
+        std::string name = (test::scratch_root() / "placode-recording-XXXXXX").string();
         if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp");
         path_ = name;
     }

@@ -30,6 +30,7 @@
 #include "db/station_guard.h"
 #include "db/station_role.h"
 #include "db/store.h"
+#include "tests/scratch_root.h"
 
 namespace placode::test {
 
@@ -38,7 +39,7 @@ namespace fs = std::filesystem;
 class TemporaryFolder {
  public:
     TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "placode-store-XXXXXX").string();
+        std::string name = (scratch_root() / "placode-store-XXXXXX").string();
         if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp");
         path_ = name;
     }

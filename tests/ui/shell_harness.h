@@ -22,6 +22,7 @@
 #include <QToolButton>
 #include <memory>
 
+#include "tests/scratch_root.h"
 #include "ui/shell/main_window.h"
 
 namespace placode::ui {
@@ -314,7 +315,8 @@ class ShellHarness {
         QTest::keyClick(field, Qt::Key_Return);
     }
 
-    QTemporaryDir folder_;
+    QTemporaryDir folder_{
+        QString::fromStdString((test::scratch_root() / "placode-shell-XXXXXX").string())};
     QString file_ = "placode.db";
     std::unique_ptr<AppContext> context_;
     std::unique_ptr<MainWindow> window_;
