@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/contact/contact_core.h"
+#include "sim/solver/vertex_stiffness.h"
 
 namespace placode::sim {
 namespace {
@@ -29,7 +30,7 @@ void set_stiffness(ContactLists& lists, const SoftBody& body, const SoftBodyStat
         auto& k = lists.hessian[as_index(v)];
         if (lists.hessian_frame[as_index(v)] != by.frame) {
             lists.hessian_frame[as_index(v)] = by.frame;
-            const Mat3 m = vertex_system(body, state, v, by.h_s).hessian;
+            const Mat3 m = vertex_stiffness(body, state, v, by.h_s);
             const double values[6] = {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
             for (size_t n = 0; n < 6; ++n) k[n] = static_cast<float>(values[n]);
         }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/solver/vertex_stiffness.h"
 #include "sim/world/add_event.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
@@ -287,10 +288,10 @@ void feel_grasped(const Scene& scene, State& state) noexcept {
         for (int i = 0; i < g.count; ++i) {
             const int v = g.held[i].vertex;
             const double mass = mass_of(scene.body, state.body, v), inertia = mass / (h * h);
-            const VertexSystem s = vertex_system(scene.body, state.body, v, h);
+            const Mat3 hessian = vertex_stiffness(scene.body, state.body, v, h);
             force += elastic_force(scene.body, state.body, v) +
                      mass * scene.body.spec().solver.gravity_m_s2;
-            stiffness += s.hessian.trace() / 3 - inertia;
+            stiffness += hessian.trace() / 3 - inertia;
             if (scene.suture) force += needle_pull_on(scene, state, v);
         }
         if (!force.allFinite()) continue;

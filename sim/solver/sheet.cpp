@@ -10,6 +10,7 @@
 #include "sim/core/as_index.h"
 #include "sim/core/number_text.h"
 #include "sim/mesh/dihedral.h"
+#include "sim/solver/sheet_terms.h"
 #include "sim/solver/soft_body.h"
 
 namespace placode::sim {
@@ -172,6 +173,8 @@ void add_membrane(const SheetElement& t, size_t k, const Float4* x, Vec3& gradie
     hessian += (std::max(0.0, in_plane) - across) / away2 * away * away.transpose();
 }
 
+/// Angles are what it costs: without the force nobody needs them.
+template <bool kForce, bool kStiffness>
 void add_hinges(const SheetElement& t, int32_t vertex, const Float4* x, Vec3& gradient,
                 Mat3& hessian) noexcept {
     Vec3 s = Vec3::Zero();
@@ -183,12 +186,25 @@ void add_hinges(const SheetElement& t, int32_t vertex, const Float4* x, Vec3& gr
                                     to_vec(x[v[3]])};
         if (!has_hinge(p)) continue;
         const auto c = static_cast<Eigen::Index>(i);
-        s[c] = angle_from(hinge_angle(p), t.rest_angle[i]);
+        if constexpr (kForce) s[c] = angle_from(hinge_angle(p), t.rest_angle[i]);
         const auto* const found = std::find(v.begin(), v.end(), vertex);
         if (found != v.end()) g.col(c) = hinge_gradient<double>(p)[as_index(found - v.begin())];
     }
-    gradient += g * (t.bending * s);
-    hessian += g * t.bending * g.transpose();
+    if constexpr (kForce) gradient += g * (t.bending * s);
+    if constexpr (kStiffness) hessian += g * t.bending * g.transpose();
+}
+
+template <bool kForce, bool kStiffness>
+void add_elements(const SheetElements& sheet, const Float4* x, int32_t vertex, Vec3& gradient,
+                  Mat3& hessian) noexcept {
+    for (const int32_t i : sheet.around(vertex)) {
+        const SheetElement& t = sheet.triangles[as_index(i)];
+        for (size_t k = 0; k < 3; ++k) {
+            if (t.v[k] == vertex) add_membrane(t, k, x, gradient, hessian);
+        }
+        if (t.bending(0, 0) + t.bending(1, 1) + t.bending(2, 2) > 0)
+            add_hinges<kForce, kStiffness>(t, vertex, x, gradient, hessian);
+    }
 }
 
 }  // namespace
@@ -275,14 +291,19 @@ SheetElements sheet_elements(const SoftBodySpec& spec) {
 
 void add_sheet(const SheetElements& sheet, const Float4* x, int32_t vertex, Vec3& gradient,
                Mat3& hessian) noexcept {
-    for (const int32_t i : sheet.around(vertex)) {
-        const SheetElement& t = sheet.triangles[as_index(i)];
-        for (size_t k = 0; k < 3; ++k) {
-            if (t.v[k] == vertex) add_membrane(t, k, x, gradient, hessian);
-        }
-        if (t.bending(0, 0) + t.bending(1, 1) + t.bending(2, 2) > 0)
-            add_hinges(t, vertex, x, gradient, hessian);
-    }
+    add_elements<true, true>(sheet, x, vertex, gradient, hessian);
+}
+
+void add_sheet_force(const SheetElements& sheet, const Float4* x, int32_t vertex,
+                     Vec3& gradient) noexcept {
+    Mat3 ignored = Mat3::Zero();
+    add_elements<true, false>(sheet, x, vertex, gradient, ignored);
+}
+
+void add_sheet_stiffness(const SheetElements& sheet, const Float4* x, int32_t vertex,
+                         Mat3& hessian) noexcept {
+    Vec3 ignored = Vec3::Zero();
+    add_elements<false, true>(sheet, x, vertex, ignored, hessian);
 }
 
 }  // namespace placode::sim

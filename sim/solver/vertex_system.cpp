@@ -8,7 +8,9 @@
 #include "sim/core/as_index.h"
 #include "sim/solver/double_float.h"
 #include "sim/solver/kernel_layout_parts.h"
+#include "sim/solver/sheet_terms.h"
 #include "sim/solver/strip_walk.h"
+#include "sim/solver/vertex_stiffness.h"
 
 namespace placode::sim {
 namespace {
@@ -104,10 +106,9 @@ void add_tethers(const SoftBody& body, const SoftBodyState& state, int vertex,
     }
 }
 
-}  // namespace
-
-VertexSystem vertex_system(const SoftBody& body, const SoftBodyState& state, int vertex,
-                           double h) noexcept {
+/// All of it but the sheets.
+VertexSystem without_sheets(const SoftBody& body, const SoftBodyState& state, int vertex,
+                            double h) noexcept {
     VertexSystem out;
     const auto i = as_index(vertex);
     const double inertia = static_cast<double>(mass_of(body, state, vertex)) / (h * h);
@@ -119,8 +120,23 @@ VertexSystem vertex_system(const SoftBody& body, const SoftBodyState& state, int
     add_elastic(body, state, vertex, out.gradient, out.hessian);
     add_springs(body, state, vertex, out);
     add_tethers(body, state, vertex, out);
+    return out;
+}
+
+}  // namespace
+
+VertexSystem vertex_system(const SoftBody& body, const SoftBodyState& state, int vertex,
+                           double h) noexcept {
+    VertexSystem out = without_sheets(body, state, vertex, h);
     const SheetElements& sheet = packed_of(body, state).sheet;
     add_sheet(sheet, state.x.data(), vertex, out.gradient, out.hessian);
+    return out;
+}
+
+Mat3 vertex_stiffness(const SoftBody& body, const SoftBodyState& state, int vertex,
+                      double h) noexcept {
+    Mat3 out = without_sheets(body, state, vertex, h).hessian;
+    add_sheet_stiffness(packed_of(body, state).sheet, state.x.data(), vertex, out);
     return out;
 }
 
@@ -128,7 +144,7 @@ Vec3 elastic_force(const SoftBody& body, const SoftBodyState& state, int vertex)
     Vec3 gradient = Vec3::Zero();
     Mat3 hessian = Mat3::Zero();
     add_elastic(body, state, vertex, gradient, hessian);
-    add_sheet(packed_of(body, state).sheet, state.x.data(), vertex, gradient, hessian);
+    add_sheet_force(packed_of(body, state).sheet, state.x.data(), vertex, gradient);
     return -gradient;
 }
 

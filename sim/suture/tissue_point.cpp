@@ -9,6 +9,7 @@
 #include "sim/core/as_index.h"
 #include "sim/core/tool_shape.h"
 #include "sim/mesh/box_distance.h"
+#include "sim/solver/vertex_stiffness.h"
 #include "sim/suture/rest_walk.h"
 
 namespace placode::sim {
@@ -88,8 +89,7 @@ double answer_of(const SuturedTissue& tissue, const TissuePoint& point, double h
     const auto& c = corners(tissue.body, tissue.state, point.tet);
     for (size_t k = 0; k < 4; ++k) {
         if (tissue.state.x[as_index(c[k])].w == 0 || point.b[k] == 0) continue;
-        const double k_n_m =
-            vertex_system(tissue.body, tissue.state, c[k], h_s).hessian.trace() / 3;
+        const double k_n_m = vertex_stiffness(tissue.body, tissue.state, c[k], h_s).trace() / 3;
         if (k_n_m > 0) gives += point.b[k] * point.b[k] / k_n_m;
     }
     return gives > 0 ? 1 / gives : 0;
