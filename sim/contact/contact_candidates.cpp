@@ -3,11 +3,14 @@
 // Before the contacts: what an instrument can reach in a frame, and how far it may go in a substep.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "sim/contact/contact.h"
 #include "sim/contact/patch_contact.h"
 #include "sim/contact/tool_contact.h"
+#include "sim/core/float_lanes.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
 
@@ -31,6 +34,46 @@ Quat between(const Quat& from, const Quat& to, double share) noexcept {
     return q;
 }
 
+constexpr int kPatchGroup = 8;  // triangles that follow each other, and lie side by side
+
+/// Balls around groups of a patch's triangles: most of it is far from any instrument.
+class PatchGroups {
+ public:
+    PatchGroups(const Patch& patch, const State& state) noexcept
+        : count_((static_cast<int>(patch.triangles.size()) + kPatchGroup - 1) / kPatchGroup) {
+        for (int g = 0; g < count_; ++g) {
+            FloatLanes low = every_lane(1e9F), high = every_lane(-1e9F);
+            float longest2 = 0;
+            const int end =
+                std::min(kPatchGroup * (g + 1), static_cast<int>(patch.triangles.size()));
+            for (int i = kPatchGroup * g; i < end; ++i) {
+                const auto& v = patch.triangles[i].vertex;
+                const FloatLanes a = lanes_of(state.body.x[v[0]]), b = lanes_of(state.body.x[v[1]]),
+                                 c = lanes_of(state.body.x[v[2]]);
+                const FloatLanes l = least(least(a, b), c), h = most(most(a, b), c);
+                longest2 = std::max(longest2, dot3(h - l, h - l));
+                low = least(low, l);
+                high = most(high, h);
+            }
+            const FloatLanes middle = every_lane(0.5F) * (low + high), size = high - low;
+            // The centre of a triangle is in the box, its corners no farther than it is long.
+            const float radius =
+                kRounding * (0.5F * std::sqrt(dot3(size, size)) + std::sqrt(longest2));
+            ball_[g] = {middle[0], middle[1], middle[2], radius};
+        }
+    }
+    [[nodiscard]] int count() const noexcept { return count_; }
+    [[nodiscard]] Vec3 centre(int g) const noexcept { return to_vec(ball_[g]); }
+    [[nodiscard]] bool beyond(int g, double distance, double limit) const noexcept {
+        return distance > limit + static_cast<double>(ball_[g].w);
+    }
+
+ private:
+    static constexpr float kRounding = 1.0001F;
+    int count_;
+    std::array<Float4, 2 * kMostPatchVertices / kPatchGroup + 1> ball_;
+};
+
 }  // namespace
 
 void collect_candidates(const Scene& scene, State& state) noexcept {
@@ -49,6 +92,7 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
     }
     const double stale = refit ? 0 : kTissueReach;
     const auto triangles = state.surface.triangles();
+    std::optional<PatchGroups> groups;
     for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
         const ToolState& tool = state.tools[t];
         if (!tool.engaged) continue;
@@ -94,9 +138,14 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
             [&](int i) noexcept { reach(triangles[i].vertex, i, limit); });
         if (!scene.patch) continue;
         const double patch_limit = limit + scene.patch->thickness_m / 2;
-        for (size_t i = 0; i < scene.patch->triangles.size(); ++i)
-            reach(scene.patch->triangles[i].vertex, kPatchCandidate + static_cast<int>(i),
-                  patch_limit);
+        if (!groups) groups.emplace(*scene.patch, state);
+        const int count = static_cast<int>(scene.patch->triangles.size());
+        for (int g = 0; g < groups->count(); ++g) {
+            const double distance = distance_value(shape, to_tool * groups->centre(g));
+            if (groups->beyond(g, distance, patch_limit)) continue;
+            for (int i = kPatchGroup * g; i < std::min(kPatchGroup * (g + 1), count); ++i)
+                reach(scene.patch->triangles[i].vertex, kPatchCandidate + i, patch_limit);
+        }
     }
 }
 

@@ -9,8 +9,8 @@
 #include "sim/contact/patch_vertex.h"
 #include "sim/contact/surface_face.h"
 #include "sim/core/as_index.h"
+#include "sim/core/float_lanes.h"
 #include "sim/core/tool_shape.h"
-#include "sim/mesh/box_distance.h"
 
 namespace placode::sim {
 namespace {
@@ -20,14 +20,18 @@ constexpr double kPatchFast2 = 1e-4;  // square of a speed at which all are [m2/
 constexpr double kPatchReach = 8e-4;  // at 0.1 m/s it moves 0.4 mm until it is looked up again [m]
 constexpr double kPatchLost = 3e-3;   // deeper in tissue than that a vertex is let go [m]
 constexpr double kPatchStale = 1e-4;  // boxes may be those of the frame before [m]
-constexpr double kTellN = 1e-6;       // a change of load that wakes tissue [N]
-constexpr int kPatchJob = 32;         // vertices; a multiple of the groups
+constexpr float kFloatSlackM = 1e-8F, kFloatSlack = 1.0001F;  // more than floats are off
+constexpr double kTellN = 1e-6;  // a change of load that wakes tissue [N]
+constexpr int kPatchJob = 32;    // vertices; a multiple of the groups
 
 /// The nearest face of the tissue within reach; tet -1 when there is none.
 class FaceBelow {
  public:
     FaceBelow(const Scene& scene, const State& state, int32_t v) noexcept
-        : scene_(scene), state_(state), at_(position(state.body, v)) {}
+        : scene_(scene),
+          state_(state),
+          at_(position(state.body, v)),
+          near_(lanes_of(state.body.x[as_index(v)])) {}
 
     /// What was next to it the last time leaves most of the tree out from the start.
     void find(PatchTouch& out) noexcept {
@@ -36,7 +40,7 @@ class FaceBelow {
                            is_known(corners_of_face(scene_, state_, out.tet, out.face));
         state_.surface.tree().walk(
             [&](const SurfaceTree::Box& box) noexcept {
-                return squared_distance(box, at_, kPatchStale) >= best2_;
+                return surely_beyond(lanes_of(box.low), lanes_of(box.high), kPatchStale);
             },
             [&](int slot) noexcept {
                 const SurfaceTriangle& face = state_.surface.triangles()[as_index(slot)];
@@ -59,7 +63,19 @@ class FaceBelow {
         best2_ = kPatchLost * kPatchLost;
         return is_nearer(face);
     }
+    /// In floats, which say so in most cases and never wrongly: whether a box, grown by `stale_m`,
+    /// is as far as the best. What is not finite is not.
+    [[nodiscard]] bool surely_beyond(FloatLanes low, FloatLanes high,
+                                     double stale_m) const noexcept {
+        const auto grown = every_lane(static_cast<float>(stale_m) + kFloatSlackM);
+        const FloatLanes way = most(most(low - near_, near_ - high) - grown, every_lane(0));
+        return dot3(way, way) > kFloatSlack * static_cast<float>(best2_);
+    }
     [[nodiscard]] bool is_nearer(const std::array<int32_t, 3>& face) noexcept {
+        const FloatLanes a = lanes_of(state_.body.x[as_index(face[0])]),
+                         b = lanes_of(state_.body.x[as_index(face[1])]),
+                         c = lanes_of(state_.body.x[as_index(face[2])]);
+        if (surely_beyond(least(least(a, b), c), most(most(a, b), c), 0)) return false;
         Triangle x;
         for (size_t k = 0; k < 3; ++k) x[k] = position(state_.body, face[k]);
         const Vec3 low = x[0].cwiseMin(x[1]).cwiseMin(x[2]),
@@ -75,6 +91,7 @@ class FaceBelow {
     const Scene& scene_;
     const State& state_;
     Vec3 at_;
+    FloatLanes near_;  // the same
     double best2_ = kPatchReach * kPatchReach;
 };
 

@@ -8,6 +8,7 @@
 
 #include "sim/contact/patch_contact.h"
 #include "sim/core/as_index.h"
+#include "sim/core/float_lanes.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
 
@@ -62,7 +63,6 @@ class PatchFolds {
         std::fill(scratch_.cell_start.begin(), scratch_.cell_start.end(), 0);
         for (size_t t = 0; t < patch_.triangles.size(); ++t) {
             const Vec3 centre = centre_of(patch_.triangles[t]);
-            centre_[t] = centre.cast<float>();
             scratch_.cell_of[t] = centre.allFinite() ? cell(cell_at(centre)) : -1;
             if (scratch_.cell_of[t] >= 0) ++scratch_.cell_start[as_index(scratch_.cell_of[t]) + 1];
         }
@@ -72,6 +72,8 @@ class PatchFolds {
             if (scratch_.cell_of[t] < 0) continue;
             int32_t& end = scratch_.cell_start[as_index(scratch_.cell_of[t]) + 1];
             scratch_.cell_triangle[as_index(--end)] = static_cast<int32_t>(t);
+            const Vec3f centre = centre_of(patch_.triangles[t]).cast<float>();
+            centre_[as_index(end)] = {centre.x(), centre.y(), centre.z(), 0};
         }
         // Every end has become the start of its cell: one place back.
         std::rotate(scratch_.cell_start.begin(), scratch_.cell_start.begin() + 1,
@@ -113,8 +115,13 @@ class PatchFolds {
         return out;
     }
     [[nodiscard]] int32_t cell(const Cell& c) const noexcept {
-        const auto u = [](int64_t i) { return static_cast<uint64_t>(i); };
-        const uint64_t hash = u(c[0]) * 73856093U ^ u(c[1]) * 19349663U ^ u(c[2]) * 83492791U;
+        return bucket_of(hash_part(0, c[0]) ^ hash_part(1, c[1]) ^ hash_part(2, c[2]));
+    }
+    [[nodiscard]] static uint64_t hash_part(size_t axis, int64_t i) noexcept {
+        constexpr std::array<uint64_t, 3> kPrimes{73856093, 19349663, 83492791};
+        return static_cast<uint64_t>(i) * kPrimes[axis];
+    }
+    [[nodiscard]] int32_t bucket_of(uint64_t hash) const noexcept {
         return static_cast<int32_t>(hash & (scratch_.cell_start.size() - 2));
     }
 
@@ -128,17 +135,24 @@ class PatchFolds {
         const bool second = not_towards != Vec3::Zero();
         double best2 = reach_ * reach_;
         int32_t best = -1;
-        const Vec3f near = p.cast<float>();
+        const FloatLanes near = lanes_of(state_.body.x[as_index(v)]);
         const auto within2 = static_cast<float>(1.0001 / (per_cell_ * per_cell_));
         const Cell middle = cell_at(p);
-        for (int64_t c = 0; c < 27; ++c) {
-            const auto bucket = as_index(
-                cell({middle[0] + c % 3 - 1, middle[1] + c / 3 % 3 - 1, middle[2] + c / 9 - 1}));
+        // Of the cells around, by axis.
+        std::array<std::array<uint64_t, 3>, 3> parts{};
+        for (size_t k = 0; k < 3; ++k) {
+            for (size_t side = 0; side < 3; ++side)
+                parts[k][side] = hash_part(k, middle[k] + static_cast<int64_t>(side) - 1);
+        }
+        for (size_t c = 0; c < 27; ++c) {
+            const auto bucket =
+                as_index(bucket_of(parts[0][c % 3] ^ parts[1][c / 3 % 3] ^ parts[2][c / 9]));
             for (int32_t i = scratch_.cell_start[bucket]; i < scratch_.cell_start[bucket + 1];
                  ++i) {
-                const int32_t t = scratch_.cell_triangle[as_index(i)];
                 // What costs least is asked first: most of what is near is a neighbour.
-                if ((centre_[as_index(t)] - near).squaredNorm() > within2) continue;
+                const FloatLanes away = lanes_of(centre_[as_index(i)]) - near;
+                if (dot3(away, away) > within2) continue;
+                const int32_t t = scratch_.cell_triangle[as_index(i)];
                 const Vec3 apart = scratch_.rest_centre[as_index(t)] - rest;
                 if (apart.squaredNorm() < scratch_.apart_m * scratch_.apart_m) continue;
                 const Triangle x = places_of(state_, patch_.triangles[as_index(t)].vertex);
@@ -161,7 +175,7 @@ class PatchFolds {
     const std::vector<Vec3>& rest_;
     PatchScratch& scratch_;
     double reach_, per_cell_;
-    std::array<Vec3f, 2 * as_index(kMostPatchVertices)> centre_;  // of the triangles, now
+    std::array<Float4, 2 * as_index(kMostPatchVertices)> centre_;  // now, as cell_triangle
 };
 
 }  // namespace

@@ -60,9 +60,11 @@ class PatchModes {
           from_(to_vec(state.body.x_start[as_index(patch_.first_vertex)])) {}
 
     void move() noexcept {
+        // Jaws often hold one of the last vertices: asked before anything is summed up.
         for (int32_t i = 0; i < patch_.vertex_count; ++i) {
-            if (!add_vertex(i)) return;
+            if (state_.body.x[as_index(patch_.first_vertex + i)].w == 0) return;
         }
+        for (int32_t i = 0; i < patch_.vertex_count; ++i) add_vertex(i);
         add_instruments();
         const Vec3 centre = place_ / mass_, start = start_ / mass_;
         const Pushes pushes = pushes_.about(centre);
@@ -79,11 +81,9 @@ class PatchModes {
     }
 
  private:
-    /// False where it is held, or nowhere.
-    bool add_vertex(int32_t i) noexcept {
+    void add_vertex(int32_t i) noexcept {
         const size_t v = as_index(patch_.first_vertex + i);
         const SoftBodyState& body = state_.body;
-        if (body.x[v].w == 0) return false;
         const double m = static_cast<double>(scene_.body.mass_kg()[v]);
         const Vec3 r = to_vec(body.x[v]) - from_, before = to_vec(body.x_start[v]) - from_;
         const Vec3 way = r - before, wanted = h_ * (to_vec(body.v[v]) + fall_m_s_);
@@ -95,10 +95,9 @@ class PatchModes {
         missing_turn_ += m * (before.cross(wanted) - r.cross(way));
         inertia_ += inertia_of(m, r);
         const PatchTie& tie = state_.scratch->patch.ties[as_index(i)];
-        if (!tie.holds) return true;
+        if (!tie.holds) return;
         const Mat3 k = h_ * h_ * tie.k_n_m;
         pushes_.add(r, k * (tie.place - from_ - r), k);
-        return true;
     }
 
     /// What presses on the patch, and friction there, at the present places.

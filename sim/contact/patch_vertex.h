@@ -27,6 +27,7 @@ class PatchVertex {
 
  private:
     void meet() noexcept;
+    [[nodiscard]] bool stays_away(const Vec3& way, const Vec3& turned) const noexcept;
     void hold() noexcept;
     void tie(const Mat3& k, const Vec3& place) noexcept;
     [[nodiscard]] double press_pa_m() const noexcept;
