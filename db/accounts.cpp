@@ -43,9 +43,8 @@ int64_t Accounts::create(const NewUser& user) {
 }
 
 void Accounts::need_free_login(const std::string& key, int64_t but_of) {
-    Statement taken(connection_,
-                    "SELECT account_id FROM persons WHERE login_key = ? AND account_id <> ?");
-    if (taken.run(key, but_of).next())
+    const int64_t of = account_of(connection_, key);
+    if (of != 0 && of != but_of)
         connection_.fail(Kind::kConflict, Said::that("the login is taken; choose another one"));
 }
 

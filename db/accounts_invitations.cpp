@@ -85,9 +85,11 @@ int64_t Accounts::accept_invitation(const std::string& code, const NewUser& user
     std::string expires;
     {
         Statement query(connection_,
-                        "SELECT id, roles, COALESCE(group_id, 0) AS group_id, expires_utc FROM "
-                        "invitations "
-                        "WHERE code_hash = ? AND used_utc = ''");
+                        context_.server.guards()
+                            ? "SELECT id, roles, group_id, expires_utc FROM "
+                              "placode_guard.invitation_by(?)"
+                            : "SELECT id, roles, COALESCE(group_id, 0) AS group_id, expires_utc "
+                              "FROM invitations WHERE code_hash = ? AND used_utc = ''");
         if (!query.run(checksum_hex(code)).next())
             connection_.fail(Kind::kRefused,
                              Said::that("the code is wrong or was used; ask for another one"));

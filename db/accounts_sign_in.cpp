@@ -78,19 +78,22 @@ SignIn Accounts::check_password(const std::string& login, const std::string& pas
                   "CONFLICT (login_key) DO UPDATE SET failures = sign_in_failures.failures + 1, "
                   "last_ms = excluded.last_ms")
             .run(failures, now);
-        Statement account(connection_,
-                          std::string("SELECT a.id, ") + (guarded ? "''" : "a.password_hash") +
-                              " AS hash FROM accounts a JOIN persons p ON p.account_id = a.id "
-                              "WHERE p.login_key = ?");
-        account.run(key);
-        if (account.next()) {
+        Statement account(
+            connection_,
+            guarded ? "SELECT placode_guard.account_of(?, false) AS id, '' AS hash"
+                    : "SELECT a.id, a.password_hash AS hash FROM accounts a JOIN persons p ON "
+                      "p.account_id = a.id WHERE p.login_key = ?");
+        if (account.run(key).next()) {
             id = account.integer("id");
             hash = account.text("hash");
         }
+        (void)account.next();  // its end
         work.commit();
     }
-    const bool right = guarded ? context_.server.enter(key, password) == id && id != 0
-                               : id != 0 && verify_password(hash, password);
+    std::optional<UserRecord> entered;
+    if (guarded) entered = context_.server.enter(key, password);
+    const bool right =
+        id != 0 && (guarded ? entered && entered->id == id : verify_password(hash, password));
     if (id == 0) {
         // The same work as for a real account, so that time does not tell which logins exist. A
         // server that asks by itself gave a salt for it.
@@ -105,7 +108,7 @@ SignIn Accounts::check_password(const std::string& login, const std::string& pas
         work.commit();
         return {};
     }
-    const UserRecord user = context_.need_user(id);
+    const UserRecord user = guarded ? *entered : context_.need_user(id);
     UnitOfWork work(connection_);
     context_.touch("user", id);
     Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?").run(failures);
@@ -122,15 +125,12 @@ SignIn Accounts::check_password(const std::string& login, const std::string& pas
 
 bool Accounts::any() {
     connection_.begin_operation("look for accounts in");
-    return Statement(connection_, "SELECT id FROM accounts LIMIT 1").run().next();
+    return any_account(connection_);
 }
 
 bool Accounts::may_sign_in(const std::string& login) {
     connection_.begin_operation("look for an account in");
-    Statement query(connection_,
-                    "SELECT a.id FROM accounts a JOIN persons p ON p.account_id = a.id WHERE "
-                    "p.login_key = ? AND a.active = 1");
-    return query.run(login_key(login)).next();
+    return account_of(connection_, login_key(login), true) != 0;
 }
 
 std::vector<UserRecord> Accounts::demonstrators() {

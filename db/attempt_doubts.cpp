@@ -14,14 +14,13 @@ namespace {
 /// alike to the last bit. Scripts do, and say that they are scripts.
 std::optional<int64_t> same_recording(Connection& connection, const AttemptResult& result,
                                       const std::string& checksum) {
-    Statement bytes(connection,
-                    "SELECT attempt_id FROM recordings WHERE checksum = ? ORDER BY attempt_id");
-    bytes.run(checksum);
-    if (bytes.next()) return bytes.integer(0);
+    if (const auto same = attempt_with(connection, checksum)) return same;
     if (result.header.demonstration || result.end.final_hash == 0) return std::nullopt;
+    const bool guarded = connection.hides_passwords();
     Statement end(connection,
-                  "SELECT id FROM attempts WHERE final_hash = ? AND task_id = ? AND seed = ? "
-                  "AND demonstration = 0 ORDER BY id");
+                  guarded ? "SELECT id FROM placode_guard.attempt_ending(?, ?, ?)"
+                          : "SELECT id FROM attempts WHERE final_hash = ? AND task_id = ? AND "
+                            "seed = ? AND demonstration = 0 ORDER BY id");
     end.run(std::to_string(result.end.final_hash), result.header.task_id,
             std::to_string(result.header.seed));
     if (end.next()) return end.integer(0);
@@ -50,6 +49,16 @@ bool was_to_matter(const AttemptResult& result) {
 }
 
 }  // namespace
+
+std::optional<int64_t> attempt_with(Connection& connection, const std::string& checksum) {
+    const bool guarded = connection.hides_passwords();
+    Statement query(connection,
+                    guarded ? "SELECT attempt_id FROM placode_guard.attempt_with(?)"
+                            : "SELECT attempt_id FROM recordings WHERE checksum = ? ORDER BY "
+                              "attempt_id");
+    if (!query.run(checksum).next()) return std::nullopt;
+    return query.integer(0);
+}
 
 bool matters(const AttemptResult& result) noexcept {
     return !result.exam.course_id.empty() || !result.study.study.empty();

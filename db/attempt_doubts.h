@@ -13,7 +13,12 @@
 
 namespace placode::db {
 
+class Connection;
 struct StoreContext;
+
+/// The attempt with a recording of this checksum, also one that a server does not show.
+[[nodiscard]] std::optional<int64_t> attempt_with(Connection& connection,
+                                                  const std::string& checksum);
 
 /// An exam, or an attempt of a study: it counts only with a recording that was simulated again.
 [[nodiscard]] bool matters(const AttemptResult& result) noexcept;

@@ -114,7 +114,7 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
     voids.insert(voids.end(), haptics.voids.begin(), haptics.voids.end());
     voids.insert(voids.end(), result.not_verified.begin(), result.not_verified.end());
     UnitOfWork work(connection_);
-    const UserRecord user = context_.need_user(user_id);
+    const UserRecord user = context_.need_owner(user_id);
     const std::optional<UserRecord> proctor =
         result.exam.proctor.empty() ? std::nullopt : context_.find_staff(result.exam.proctor);
     for (VoidReason& doubt : doubts_in_store(context_, user, proctor, result, checksum))
@@ -210,11 +210,7 @@ std::optional<int64_t> Attempts::find_recording(const std::string& recording_fil
     context_.need(Action::kUseStore);
     settle_recording_file(recording_file);
     const std::string checksum = checksum_hex(read_bytes(connection_, recording_file));
-    Statement query(connection_,
-                    "SELECT attempt_id FROM recordings WHERE checksum = ? ORDER BY attempt_id");
-    query.run(checksum);
-    if (!query.next()) return std::nullopt;
-    return query.integer(0);
+    return attempt_with(connection_, checksum);
 }
 
 }  // namespace placode::db

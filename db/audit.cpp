@@ -28,6 +28,12 @@ std::vector<AuditRecord> read_entries(StoreContext& context, Statement& query) {
 
 }  // namespace
 
+void StoreContext::sign_head(TrailHead& head) {
+    head.at_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    head.station = station.public_key();
+    if (!head.station.empty()) head.signature = station.sign(trail_statement(head));
+}
+
 Audit::Audit(StoreContext& context) : context_(context), connection_(context.connection) {}
 
 void Audit::write(const std::string& actor, const std::string& action, const std::string& object,
@@ -59,7 +65,9 @@ std::vector<AuditRecord> Audit::of_action(const std::string& action) {
 std::optional<AuditRecord> Audit::first() {
     connection_.begin_operation("read the beginning of the audit trail of");
     context_.need(Action::kUseStore);
-    Statement query(connection_, std::string(kEntries) + "ORDER BY id LIMIT 1");
+    const bool guarded = context_.server.guards();
+    Statement query(connection_, guarded ? "SELECT * FROM placode_guard.trail_first()"
+                                         : std::string(kEntries) + "ORDER BY id LIMIT 1");
     const std::vector<AuditRecord> found = read_entries(context_, query.run());
     if (found.empty()) return std::nullopt;
     return found.front();
@@ -126,9 +134,7 @@ TrailHead Audit::head() {
             head.chain = last.text("chain");
         }
     }
-    head.at_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-    head.station = context_.station.public_key();
-    if (!head.station.empty()) head.signature = context_.station.sign(trail_statement(head));
+    context_.sign_head(head);
     return head;
 }
 

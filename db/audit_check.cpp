@@ -160,14 +160,18 @@ class TrailCheck {
 
 std::set<std::string> trusted_stations(StoreContext& context) {
     std::set<std::string> trusted;
+    const bool guarded = context.server.guards();
     Statement first(context.connection,
-                    "SELECT station FROM audit WHERE station <> '' ORDER BY id LIMIT 1");
+                    guarded ? "SELECT station FROM placode_guard.trail_founder()"
+                            : "SELECT station FROM audit WHERE station <> '' ORDER BY id LIMIT 1");
     if (first.run().next()) trusted.insert(first.text(0));
     if (const std::string own = context.station.public_key_if_any(); !own.empty())
         trusted.insert(own);
     std::vector<std::pair<std::string, std::string>> said;
-    Statement query(context.connection,
-                    "SELECT station, detail FROM audit WHERE action = 'station.trust' ORDER BY id");
+    Statement query(
+        context.connection,
+        guarded ? "SELECT station, detail FROM placode_guard.trail_trust()"
+                : "SELECT station, detail FROM audit WHERE action = 'station.trust' ORDER BY id");
     query.run();
     while (query.next()) said.emplace_back(query.text(0), query.text(1));
     for (bool more = true; more;) {

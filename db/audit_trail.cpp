@@ -14,12 +14,15 @@ namespace {
 
 constexpr size_t kSealsOfAnEntry = 1000;
 
-std::string last_chain(Connection& connection) {
-    Statement last(connection, "SELECT chain FROM audit ORDER BY id DESC LIMIT 1");
-    return last.run().next() ? last.text(0) : std::string();
-}
-
 }  // namespace
+
+Station::Head end_of_trail(Connection& connection) {
+    const bool guarded = connection.hides_passwords();
+    Statement last(connection, guarded ? "SELECT id, chain FROM placode_guard.trail_end()"
+                                       : "SELECT id, chain FROM audit ORDER BY id DESC LIMIT 1");
+    if (!last.run().next()) return {};
+    return {last.integer("id"), last.text("chain")};
+}
 
 StoreContext::StoreContext(const StoreUrl& url, const StoreOptions& set)
     : connection(url), options(set), station(url) {
@@ -71,7 +74,7 @@ void StoreContext::write_trail() {
     }
     if (entries_.empty() && seals.empty()) return;
     if (entries_.empty()) append_audit("store.seal", "", "");
-    std::string previous = last_chain(connection);
+    std::string previous = end_of_trail(connection).chain;
     for (size_t i = 0; i < entries_.size(); ++i)
         write_entry({entries_[i], i + 1 == entries_.size() ? seals_text(seals) : "", {}}, previous);
     entries_.clear();
@@ -82,9 +85,12 @@ void StoreContext::write_entry(TrailEntry entry, std::string& previous) {
     entry.station = station.public_key();
     const AuditRecord& row = entry.record;
     const std::string chain = audit_chain(previous, entry);
-    Statement insert(connection,
-                     "INSERT INTO audit (at_utc, actor, action, object, detail, chain, seals, "
-                     "station, signature) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
+    const bool guarded = connection.hides_passwords();
+    Statement insert(
+        connection, guarded
+                        ? "SELECT placode_guard.add_entry(?, ?, ?, ?, ?, ?, ?, ?, ?)"
+                        : "INSERT INTO audit (at_utc, actor, action, object, detail, chain, seals, "
+                          "station, signature) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
     insert.run(row.at_utc, row.actor, row.action, row.object, row.detail, chain, entry.seals,
                entry.station, station.sign(signed_text(chain)));
     last_entry_ = Station::Head{insert.returned_id(), chain};
@@ -100,7 +106,7 @@ void StoreContext::seal_the_unsealed() {
             for (const auto& [object, seal] : seals_of_text(query.text(0))) known[object] = seal;
     }
     SealChanges fresh;
-    std::string previous = last_chain(connection);
+    std::string previous = end_of_trail(connection).chain;
     const auto write = [&] {
         if (fresh.empty()) return;
         const std::string objects = std::to_string(fresh.size()) + " objects";
@@ -120,8 +126,10 @@ void StoreContext::seal_the_unsealed() {
 void StoreContext::remember_trail() noexcept {
     if (!written_) return;
     try {
+        const bool guarded = connection.hides_passwords();
         for (const Station::Head& before : station.heads()) {
-            Statement there(connection, "SELECT chain FROM audit WHERE id = ?");
+            Statement there(connection, guarded ? "SELECT chain FROM placode_guard.trail_chain(?)"
+                                                : "SELECT chain FROM audit WHERE id = ?");
             if (!there.run(before.entry).next() || there.text(0) != before.chain) return;
             if (before.entry > written_->entry) return;
         }

@@ -41,11 +41,14 @@ void Groups::set_role(int64_t group_id, int64_t user_id, GroupRole role) {
     context_.need_group(group_id);
     (void)context_.need_user(user_id);
     context_.touch("group", group_id);
-    Statement(connection_, "DELETE FROM group_members WHERE group_id = ? AND account_id = ?")
-        .run(group_id, user_id);
-    if (role != GroupRole::kNone)
+    // In one statement: a server asks who teaches the group, and that may be who is changed.
+    if (role == GroupRole::kNone)
+        Statement(connection_, "DELETE FROM group_members WHERE group_id = ? AND account_id = ?")
+            .run(group_id, user_id);
+    else
         Statement(connection_,
-                  "INSERT INTO group_members (group_id, account_id, teaches) VALUES (?, ?, ?)")
+                  "INSERT INTO group_members (group_id, account_id, teaches) VALUES (?, ?, ?) ON "
+                  "CONFLICT (group_id, account_id) DO UPDATE SET teaches = excluded.teaches")
             .run(group_id, user_id, role == GroupRole::kEducator);
     context_.append_audit("group.member",
                           "group " + std::to_string(group_id) + " user " + std::to_string(user_id),

@@ -46,8 +46,9 @@ std::unique_ptr<Store> open_for_reading(const std::string& url, int64_t account_
         {});
     need_settled(connection);
     need_present_tables(connection, options);
-    if (options.station) need_station_role(connection);
+    if (options.station) need_station_role(connection, options.service);
     context->become(account_id);
+    context->server.resume(account_id);  // To a server it is who has signed in in this program.
     return std::make_unique<Store>(std::move(context));
 }
 

@@ -53,6 +53,8 @@ void Reviews::set_comment_removed(int64_t id, bool removed) {
             attempt_id = of.integer("attempt_id"), author_id = of.integer("author_id");
     }
     // One's own, or as who judges the attempt.
+    // A server leaves out what is out of sight, and says as little as of one that is not there.
+    if (attempt_id == 0) context_.need(Action::kReviewAttempts, Scope::kGroup);
     context_.is_self(author_id) ? context_.need(Action::kUseStore)
                                 : context_.need_for_attempt(Action::kReviewAttempts, attempt_id);
     UnitOfWork work(connection_);

@@ -12,6 +12,7 @@
 #include "db/packing.h"
 #include "db/seal_kinds.h"
 #include "db/sql_connection.h"
+#include "db/station_guard.h"
 
 namespace placode::db {
 namespace {
@@ -58,10 +59,9 @@ const char* checksum_function(Connection& connection, const SealPart& part) {
     return account ? "placode_guard.seal_of_account" : "placode_guard.seal_of_pin";
 }
 
-std::string checksums_of(const char* function, const SealPart& part, bool of_one) {
+std::string checksums_of(const char* function, const SealPart& part) {
     const std::string key(part.key.front()), table(part.table);
-    return "SELECT " + key + ", " + function + "(" + key + ") FROM " + table +
-           (of_one ? " WHERE " + key + " = ?" : "") + " ORDER BY " + key;
+    return "SELECT " + key + ", " + function + "(" + key + ") FROM " + table + " ORDER BY " + key;
 }
 
 std::string rows_of(const SealPart& part, bool of_one, bool sqlite) {
@@ -99,7 +99,7 @@ void add_part(Connection& connection, const SealKind& kind, size_t number,
     const SealPart& part = kind.parts[number];
     const size_t keys = key_columns(part);
     const char* const summed = checksum_function(connection, part);
-    Statement query(connection, summed != nullptr ? checksums_of(summed, part, false)
+    Statement query(connection, summed != nullptr ? checksums_of(summed, part)
                                                   : rows_of(part, false, connection.is_sqlite()));
     query.run();
     SealedObject object{std::string(kind.name), {}};
@@ -139,25 +139,24 @@ std::string SealedObject::name() const {
 std::string seal_of(Connection& connection, const SealedObject& object) {
     const SealKind& kind = kind_of(object.kind);
     std::string text;
+    if (server_seals(kind.name) && connection.hides_passwords()) {
+        Statement query(connection, "SELECT placode_guard.seal_parts(?, ?)");
+        if (query.run(object.kind, int64_t{std::stoll(object.key.front())}).next())
+            text = query.text(0);
+        return text.empty() ? kNoObject : checksum_hex(text);
+    }
     for (size_t number = 0; number < kind.parts.size(); ++number) {
         const SealPart& part = kind.parts[number];
         std::vector<QVariant> values;
         for (const std::string& key : object.key)
             values.emplace_back(kind.numeric ? QVariant(qlonglong{std::stoll(key)})
                                              : QVariant(QString::fromStdString(key)));
-        const char* const summed = checksum_function(connection, part);
-        Statement query(connection, summed != nullptr
-                                        ? checksums_of(summed, part, true)
-                                        : rows_of(part, true, connection.is_sqlite()));
+        Statement query(connection, rows_of(part, true, connection.is_sqlite()));
         query.run_list(values);
         std::string rows;
-        while (query.next())
-            if (summed != nullptr)
-                rows = query.text(1);
-            else
-                add_row(rows, query, key_columns(part));
+        while (query.next()) add_row(rows, query, key_columns(part));
         if (rows.empty() && number == 0) return kNoObject;
-        if (!rows.empty()) text += part_text(number, rows, summed != nullptr);
+        if (!rows.empty()) text += part_text(number, rows, false);
     }
     return checksum_hex(text);
 }

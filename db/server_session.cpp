@@ -11,6 +11,7 @@
 
 #include "db/hex.h"
 #include "db/password.h"
+#include "db/store_context.h"
 
 namespace placode::db {
 namespace {
@@ -70,7 +71,7 @@ Ticket ticket_of(const Place& place) {
 class QuietTransaction {
  public:
     explicit QuietTransaction(Connection& connection) : connection_(connection) {
-        connection_.execute("BEGIN");
+        connection_.execute("BEGIN READ WRITE");  // Also where all else is for reading only.
     }
     ~QuietTransaction() {
         if (open_) QSqlQuery(connection_.handle()).exec(QStringLiteral("ROLLBACK"));
@@ -99,7 +100,8 @@ ServerSession::~ServerSession() {
     connection_.after_reopening({});
     if (token_.empty() || entered_ || !connection_.handle().isOpen()) return;
     QSqlQuery query(connection_.handle());
-    query.exec(QStringLiteral("SELECT placode_guard.leave(false)"));
+    for (const char* each : {"BEGIN READ WRITE", "SELECT placode_guard.leave(false)", "COMMIT"})
+        query.exec(QString::fromLatin1(each));
 }
 
 std::string ServerSession::open_channel() {
@@ -123,7 +125,8 @@ void ServerSession::remember(int64_t account) {
     tickets()[{connection_.url().shown, account}] = {token_, false};
 }
 
-int64_t ServerSession::enter(const std::string& login_key, const std::string& password) {
+std::optional<UserRecord> ServerSession::enter(const std::string& login_key,
+                                               const std::string& password) {
     std::string salt;
     {
         Statement query(connection_, "SELECT placode_guard.salt_of(?)");
@@ -131,14 +134,17 @@ int64_t ServerSession::enter(const std::string& login_key, const std::string& pa
     }
     const std::string hash = hash_password_as(salt, password);
     const std::string channel = open_channel();
-    int64_t account = 0;
+    std::optional<UserRecord> user;
     {
-        Statement query(connection_, "SELECT placode_guard.enter(?, ?, CAST(? AS BOOLEAN))");
+        Statement query(connection_,
+                        "SELECT id, login, display_name, roles, active, demonstration, "
+                        "created_utc, password_given FROM placode_guard.enter(?, ?, CAST(? AS "
+                        "BOOLEAN))");
         if (query.run(login_key, proof_of(channel, hash), confirms_ ? "false" : "true").next())
-            account = query.integer(0);
+            user = read_user(query);
     }
-    if (account != 0 && !confirms_) remember(account);
-    return account;
+    if (user && !confirms_) remember(user->id);
+    return user;
 }
 
 int64_t ServerSession::enter_by_pin(int64_t account, const std::string& pin) {

@@ -10,8 +10,10 @@
 // this program remembers of a sign-in, a random token, lies in its memory only and lets its further
 // connections to the same store act for the account.
 
+#include <optional>
 #include <string>
 
+#include "db/records.h"
 #include "db/sql_connection.h"
 
 namespace placode::db {
@@ -40,9 +42,10 @@ class ServerSession {
         ServerSession& session_;
     };
 
-    /// Signs in by password; the account, or 0 where login or password is wrong. An account that is
-    /// closed is named and has no session.
-    [[nodiscard]] int64_t enter(const std::string& login_key, const std::string& password);
+    /// Signs in by password; nullopt where login or password is wrong. An account that is closed is
+    /// named and has no session.
+    [[nodiscard]] std::optional<UserRecord> enter(const std::string& login_key,
+                                                  const std::string& password);
     /// The same by PIN, for an account that gave its password in this program in the last 12 h.
     [[nodiscard]] int64_t enter_by_pin(int64_t account, const std::string& pin);
     /// Acts for an account that has signed in in this program, on another connection perhaps.

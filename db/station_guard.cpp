@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/station_guard.h"
 
+#include <algorithm>
 #include <array>
 
 #include "db/packing.h"
+#include "db/seal_kinds.h"
 #include "db/station_role.h"
 
 namespace placode::db {
@@ -14,71 +16,143 @@ namespace {
 constexpr const char* kAdministrator = "placode_guard.need(8)";
 constexpr const char* kOwnOrAdministrator = "placode_guard.need(8, account_id)";
 constexpr const char* kEducator = "placode_guard.need(2)";
-constexpr const char* kOwnOrEducator = "placode_guard.need(2, account_id)";
 constexpr const char* kTeachesOrAdministers = "placode_guard.need(10)";
 constexpr const char* kCoordinator = "placode_guard.need(4)";
-constexpr const char* kErases = "placode_guard.need(12)";  ///< A person, or a participant's data.
+constexpr const char* kErases = "placode_guard.need(12)";
 constexpr const char* kStaff = "placode_guard.need(14)";
-constexpr const char* kAnybody = "true";
+constexpr const char* kNever = "false";
+// With the groups that somebody teaches.
+constexpr const char* kTeachesThePerson = "placode_guard.need_person(0, 2, account_id, false)";
+constexpr const char* kOwnOrTeaches = "placode_guard.need_person(0, 2, account_id, true)";
+constexpr const char* kTeachesTheTarget =
+    "CASE WHEN group_id IS NULL THEN placode_guard.need_person(0, 2, account_id, false) ELSE "
+    "placode_guard.need_group(0, 2, group_id) END";
+constexpr const char* kKeepsTheGroup =
+    "placode_guard.need_group(8, 2, group_id) AND placode_guard.need_person(8, 2, account_id, "
+    "false)";
+constexpr const char* kSavesThePart = "placode_guard.need_part(attempt_id)";
+constexpr const char* kErasesThePart = "placode_guard.need_erase(attempt_id)";
+constexpr const char* kErasesTheScore =
+    "placode_guard.need_erase((SELECT s.attempt_id FROM public.attempt_scores s WHERE s.id = "
+    "score_id))";
 
-/// What has to hold, as SQL over the row, for a station that adds, changes or removes one. It never
-/// widens the rights of db/station_role.cpp. The table is that of db/access.cpp, as far as roles
-/// decide; which groups somebody teaches only the program asks.
+// What is seen: rows are left out, nothing is refused. Each is asked once for a statement.
+constexpr const char* kWhoIsIn = "(SELECT placode_guard.is_in())";
+constexpr const char* kSeesAdministrator = "(SELECT placode_guard.has_role(8))";
+constexpr const char* kSeesStudies = "(SELECT placode_guard.has_role(12))";
+constexpr const char* kSeesSteps = "(SELECT placode_guard.has_role(14))";
+constexpr const char* kSeesOwnOrAdministrator =
+    "(SELECT placode_guard.has_role(8)) OR account_id = (SELECT placode_guard.me())";
+constexpr const char* kSeesOwnOrTeaches =
+    "(SELECT placode_guard.has_role(10)) OR account_id = (SELECT placode_guard.me())";
+constexpr const char* kSeesAccounts =
+    "(SELECT placode_guard.is_in()) OR id = (SELECT placode_guard.holder()) OR (SELECT "
+    "placode_guard.is_demonstration())";
+constexpr const char* kSeesPersons =
+    "(SELECT placode_guard.has_role(10)) OR account_id = (SELECT placode_guard.holder()) OR "
+    "((SELECT placode_guard.is_in()) AND placode_guard.is_staff(account_id)) OR (SELECT "
+    "placode_guard.is_demonstration())";
+constexpr const char* kSeesGroups =
+    "(SELECT placode_guard.has_role(10)) OR EXISTS (SELECT FROM public.group_members m WHERE "
+    "m.group_id = training_groups.id AND m.account_id = (SELECT placode_guard.me()))";
+constexpr const char* kSeesAssignments =
+    "(SELECT placode_guard.has_role(10)) OR account_id = (SELECT placode_guard.me()) OR group_id "
+    "IN (SELECT m.group_id FROM public.group_members m WHERE m.account_id = (SELECT "
+    "placode_guard.me()))";
+constexpr const char* kSeesAttempts =
+    "(SELECT placode_guard.has_role(10)) OR (study = '' AND account_id = (SELECT "
+    "placode_guard.me())) OR (study <> '' AND (SELECT placode_guard.has_role(4)))";
+// A part of what is seen: the policy of the other table applies within.
+constexpr const char* kSeesPart =
+    "(SELECT placode_guard.has_role(10)) OR EXISTS (SELECT FROM public.attempts a WHERE a.id = "
+    "attempt_id)";
+constexpr const char* kSeesScorePart =
+    "(SELECT placode_guard.has_role(10)) OR EXISTS (SELECT FROM public.attempt_scores s WHERE s.id "
+    "= score_id)";
+constexpr const char* kSeesRatingPart =
+    "(SELECT placode_guard.has_role(10)) OR EXISTS (SELECT FROM public.attempt_ratings r WHERE "
+    "r.id = rating_id)";
+
+/// What has to hold, as SQL over the row, for a station that sees, adds, changes or removes one. It
+/// never widens the rights of db/station_role.cpp. The table is that of db/access.cpp; where adding
+/// or changing stands for everybody who sees the row, the condition is that of seeing it, because
+/// the server asks for sight only where a statement names a column.
 struct TableRule {
     const char* table;
+    const char* sees;
     const char* adds;
     const char* changes;
     const char* removes;
 };
 
 constexpr std::array kRules{
-    TableRule{"accounts", kAdministrator, kAdministrator, kAdministrator},
-    TableRule{"persons", kAdministrator, kAdministrator, kAdministrator},
-    TableRule{"account_pins", kAdministrator, kAdministrator, kOwnOrAdministrator},
-    TableRule{"invitations", kAdministrator, kAdministrator, kAdministrator},
-    TableRule{"erasure_requests", kOwnOrAdministrator, kAdministrator, kAdministrator},
-    TableRule{"training_groups", kTeachesOrAdministers, kAdministrator, kAdministrator},
-    TableRule{"group_members", kTeachesOrAdministers, kAdministrator, kTeachesOrAdministers},
-    TableRule{"course_assignments", kEducator, kEducator, kAdministrator},
-    TableRule{"course_grants", kEducator, kAdministrator, kAdministrator},
-    TableRule{"certificates", kOwnOrEducator, kAdministrator, kAdministrator},
-    TableRule{"trusted_centres", kTeachesOrAdministers, kAdministrator, kAdministrator},
-    TableRule{"centre_key", kTeachesOrAdministers, kTeachesOrAdministers, kAdministrator},
-    TableRule{"norm_packs", kEducator, kEducator, kAdministrator},
-    // What was performed is saved for its owner whoever has signed in meanwhile.
-    TableRule{"attempts", kAnybody, kAnybody, kErases},
-    TableRule{"attempt_metrics", kAnybody, kErases, kErases},
-    TableRule{"attempt_reasons", kAnybody, kErases, kErases},
-    TableRule{"attempt_events", kAnybody, kErases, kErases},
-    TableRule{"attempt_scores", kAnybody, kErases, kErases},
-    TableRule{"attempt_score_metrics", kAnybody, kErases, kErases},
-    TableRule{"attempt_score_reasons", kAnybody, kErases, kErases},
-    TableRule{"recordings", kAnybody, kErases, kErases},
-    // Steps and answers of a session that was begun are kept as well.
-    TableRule{"answers", kAnybody, kCoordinator, kCoordinator},
-    TableRule{"answer_items", kAnybody, kCoordinator, kCoordinator},
-    TableRule{"answer_changes", kAnybody, kCoordinator, kCoordinator},
-    TableRule{"study_steps", kAnybody, kCoordinator, kCoordinator},
-    TableRule{"participants", kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"participant_states", kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"participant_devices", kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"withdrawals", kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"consent_signatures", kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"answer_corrections", kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"second_entries", kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"second_entry_items", kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"superseded_steps", kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"step_notes", kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"record_events", kCoordinator, kErases, kAdministrator},
-    TableRule{"study_allocations", kStaff, kStaff, kAdministrator},
+    TableRule{"accounts", kSeesAccounts, kAdministrator, kAdministrator, kAdministrator},
+    TableRule{"persons", kSeesPersons, kAdministrator, kAdministrator, kAdministrator},
+    TableRule{"account_pins", kSeesOwnOrAdministrator, kAdministrator, kAdministrator,
+              kOwnOrAdministrator},
+    TableRule{"invitations", kSeesAdministrator, kAdministrator, kAdministrator, kAdministrator},
+    TableRule{"erasure_requests", kSeesOwnOrAdministrator, kOwnOrAdministrator, kAdministrator,
+              kAdministrator},
+    TableRule{"training_groups", kSeesGroups, kTeachesOrAdministers, kAdministrator,
+              kAdministrator},
+    TableRule{"group_members", kSeesOwnOrTeaches, kKeepsTheGroup, kKeepsTheGroup, kKeepsTheGroup},
+    TableRule{"course_assignments", kSeesAssignments, kTeachesTheTarget, kTeachesTheTarget,
+              kAdministrator},
+    TableRule{"course_grants", kSeesOwnOrTeaches, kTeachesThePerson, kAdministrator,
+              kAdministrator},
+    TableRule{"certificates", kSeesOwnOrTeaches, kOwnOrTeaches, kAdministrator, kAdministrator},
+    TableRule{"trusted_centres", kWhoIsIn, kTeachesOrAdministers, kAdministrator, kAdministrator},
+    TableRule{"centre_key", kWhoIsIn, kTeachesOrAdministers, kTeachesOrAdministers, kAdministrator},
+    TableRule{"norm_packs", kWhoIsIn, kEducator, kEducator, kAdministrator},
+    TableRule{"definitions", kWhoIsIn, "placode_guard.need_text(kind, published_by)", kNever,
+              kNever},
+    TableRule{"audit", kSeesAdministrator, kNever, kNever, kNever},
+    TableRule{"attempts", kSeesAttempts, "placode_guard.need_save(account_id, study)",
+              kSeesAttempts, "placode_guard.need_erase(id)"},
+    TableRule{"attempt_metrics", kSeesPart, kSavesThePart, kNever, kErasesThePart},
+    TableRule{"attempt_reasons", kSeesPart, kSavesThePart, kNever, kErasesThePart},
+    TableRule{"attempt_events", kSeesPart, kSavesThePart, kNever, kErasesThePart},
+    TableRule{"recordings", kSeesPart, kSavesThePart, kNever, kErasesThePart},
+    TableRule{"attempt_scores", kSeesPart, kEducator, kNever, kErasesThePart},
+    TableRule{"attempt_score_metrics", kSeesScorePart, kEducator, kNever, kErasesTheScore},
+    TableRule{"attempt_score_reasons", kSeesScorePart, kEducator, kNever, kErasesTheScore},
+    TableRule{"attempt_comments", kSeesPart, "placode_guard.need_remark(author_id, attempt_id)",
+              "placode_guard.need_removal(author_id, attempt_id)", kErasesThePart},
+    TableRule{"attempt_ratings", kSeesPart, "placode_guard.need_rating(rater_id, attempt_id)",
+              kNever, kErasesThePart},
+    TableRule{"attempt_rating_items", kSeesRatingPart, "placode_guard.need_rating_part(rating_id)",
+              kNever, kNever},
+    TableRule{"answers", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"answer_items", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"answer_changes", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"study_steps", kSeesSteps, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"participants", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"participant_states", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"participant_devices", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"withdrawals", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"consent_signatures", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"answer_corrections", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"second_entries", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"second_entry_items", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"superseded_steps", kSeesSteps, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"step_notes", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"record_events", kSeesStudies, kCoordinator, kErases, kAdministrator},
+    TableRule{"study_allocations", kSeesStudies, kStaff, kStaff, kAdministrator},
 };
 constexpr int kPoliciesOfATable = 5;
 
-/// What stations call; all other functions only these call.
+/// What stations call, and what policies ask in a station's name; all other functions only these
+/// call.
 constexpr const char* kCalled =
     "'open_channel', 'salt_of', 'enter', 'resume', 'leave', 'pin_salt_of', 'enter_by_pin', "
     "'drop_worn_pin', 'add_account', 'accept_invitation', 'set_password', 'set_pin', "
-    "'seal_of_account', 'seal_of_pin', 'me', 'need', 'version'";
+    "'seal_of_account', 'seal_of_pin', 'seal_parts', 'me', 'need', 'version', 'is_in', 'holder', "
+    "'has_role', 'is_staff', 'is_demonstration', 'need_person', 'need_group', 'need_save', "
+    "'need_part', 'need_erase', 'need_remark', 'need_removal', 'need_rating', 'need_rating_part', "
+    "'need_text', "
+    "'any_account', 'account_of', 'has_pin', 'invitation_by', 'owner_of_attempt', 'attempt_with', "
+    "'attempt_ending', 'trail_end', 'trail_chain', 'trail_first', 'trail_founder', 'trail_trust', "
+    "'add_entry'";
 
 void add_statements(std::vector<std::string>& sql, const std::string& text) {
     constexpr std::string_view kBetween = "\n--\n";
@@ -105,7 +179,8 @@ std::string rule_statement(const TableRule& rule) {
            "EXECUTE format('CREATE POLICY owner_all" +
            on + " TO %I USING (true) WITH CHECK (true)', owner);\n";
     const std::string to = std::string(" TO ") + kStationRole;
-    sql += "    CREATE POLICY station_reads" + on + " FOR SELECT" + to + " USING (true);\n";
+    sql += "    CREATE POLICY station_reads" + on + " FOR SELECT" + to + " USING (" + rule.sees +
+           ");\n";
     sql += "    CREATE POLICY station_adds" + on + " FOR INSERT" + to + " WITH CHECK (" +
            rule.adds + ");\n";
     sql += "    CREATE POLICY station_changes" + on + " FOR UPDATE" + to + " USING (" +
@@ -116,11 +191,54 @@ std::string rule_statement(const TableRule& rule) {
            " ENABLE ROW LEVEL SECURITY, FORCE ROW LEVEL SECURITY;\nEND $$";
 }
 
+constexpr std::array<std::string_view, 3> kSealedByServer{"user", "group", "invitation"};
+
+/// The columns of a list, "a, b", as the texts that db/seals.cpp seals them as.
+std::string sealed_columns(std::string_view list) {
+    std::string sql;
+    for (size_t begin = 0; begin < list.size();) {
+        const size_t end = std::min(list.find(", ", begin), list.size());
+        sql += (sql.empty() ? "" : " || ") + std::string("placode_guard.sealed_text(coalesce((") +
+               std::string(list.substr(begin, end - begin)) + ")::TEXT, ''))";
+        begin = end + 2;
+    }
+    return sql;
+}
+
+/// placode_guard.seal_parts(kind, id): a line for each part of the object that has rows, as
+/// db/seals.cpp makes it; empty: there is no such object.
+std::string seal_statement() {
+    std::string sql =
+        "CREATE OR REPLACE FUNCTION placode_guard.seal_parts(of_kind TEXT, of_id BIGINT) RETURNS "
+        "TEXT\nLANGUAGE plpgsql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS "
+        "$$\nDECLARE rows TEXT; parts TEXT := '';\nBEGIN\n";
+    for (const SealKind& kind : seal_kinds()) {
+        if (!server_seals(kind.name)) continue;
+        sql += "    IF of_kind = '" + std::string(kind.name) + "' THEN\n";
+        for (size_t number = 0; number < kind.parts.size(); ++number) {
+            const SealPart& part = kind.parts[number];
+            const std::string order(part.order.front());
+            sql += "        SELECT string_agg(" +
+                   (order.empty() ? "" : sealed_columns(order) + " || ") +
+                   sealed_columns(part.columns) + " || E'\\n', ''" +
+                   (order.empty() ? "" : " ORDER BY " + order) + ") INTO rows FROM public." +
+                   std::string(part.table) + " WHERE " + std::string(part.key.front()) +
+                   " = of_id;\n";
+            if (number == 0) sql += "        IF rows IS NULL THEN RETURN ''; END IF;\n";
+            sql += "        IF rows IS NOT NULL THEN parts := parts || '" + std::to_string(number) +
+                   " ' || placode_guard.checksum(convert_to(rows, 'UTF8')) || E'\\n'; END IF;\n";
+        }
+        sql += "    END IF;\n";
+    }
+    return sql + "    RETURN parts;\nEND $$";
+}
+
 /// The rights that hashes and names of accounts need, after those of all tables were given.
 std::string rights_statement() {
     return std::string(
                "DO $$ DECLARE shown TEXT; BEGIN\n"
-               "    REVOKE INSERT ON public.accounts, public.persons, public.account_pins FROM ") +
+               "    REVOKE INSERT ON public.accounts, public.persons, public.account_pins, "
+               "public.audit FROM ") +
            kStationRole +
            ";\n"
            "    REVOKE SELECT ON public.accounts, public.account_pins FROM " +
@@ -169,9 +287,10 @@ std::vector<std::string> unmarked_statements() {
     sql.push_back(std::string("REVOKE ALL ON SCHEMA placode_guard FROM PUBLIC, ") + kStationRole);
     sql.push_back(std::string("REVOKE ALL ON ALL TABLES IN SCHEMA placode_guard FROM PUBLIC, ") +
                   kStationRole);
-    for (const char* text :
-         {kGuardChecksum, kGuardIdentity, kGuardChannel, kGuardSignIn, kGuardAccounts})
+    for (const char* text : {kGuardChecksum, kGuardIdentity, kGuardChannel, kGuardSignIn,
+                             kGuardAccounts, kGuardScopes, kGuardAnswers})
         add_statements(sql, text);
+    sql.push_back(seal_statement());
     for (const TableRule& rule : kRules) sql.push_back(rule_statement(rule));
     sql.push_back(rights_statement());
     return sql;
@@ -188,6 +307,10 @@ const std::string& version() {
 }
 
 }  // namespace
+
+bool server_seals(std::string_view kind) {
+    return std::find(kSealedByServer.begin(), kSealedByServer.end(), kind) != kSealedByServer.end();
+}
 
 std::vector<std::string> station_guard_statements() {
     std::vector<std::string> sql = unmarked_statements();

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a centre's PostgreSQL itself asks before it lets a station change something: who has signed
-// in on this connection, and which roles that account has. The schema placode_guard holds the
-// functions and who has signed in; policies on the tables (row-level security, forced) ask them.
+// What a centre's PostgreSQL itself asks before it shows a station a row or lets it change one: who
+// has signed in on this connection, which roles that account has, and whose the row is. The schema
+// placode_guard holds the functions and who has signed in; policies on the tables (row-level
+// security, forced) ask them.
 // Installed by the owner of the tables with the rights of db/station_role.h.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "db/sql_connection.h"
@@ -33,12 +35,19 @@ inline constexpr const char* kHiddenColumns = "'password_hash', 'pin_hash'";
 /// How a refusal of the server itself is said to people; its text is that of the function `need`.
 [[nodiscard]] Said guard_refusal();
 
-// db/station_guard_sql.cpp, db/station_guard_accounts_sql.cpp: statements, separated by lines "--".
+/// Whether a station lets the server seal an object of this kind: a part of it may be out of its
+/// sight, or it is changed before anybody has signed in. Then placode_guard.seal_parts() is asked.
+[[nodiscard]] bool server_seals(std::string_view kind);
+
+// db/station_guard_sql.cpp, ..._accounts_sql.cpp, ..._reading_sql.cpp: statements, separated by
+// lines "--".
 extern const char* const kGuardTables;
 extern const char* const kGuardChecksum;
 extern const char* const kGuardIdentity;
 extern const char* const kGuardChannel;
 extern const char* const kGuardSignIn;
 extern const char* const kGuardAccounts;
+extern const char* const kGuardScopes;
+extern const char* const kGuardAnswers;
 
 }  // namespace placode::db

@@ -24,26 +24,32 @@ INSERT INTO placode_guard.salt_key VALUES
     (1, sha256(uuid_send(gen_random_uuid()) || uuid_send(gen_random_uuid()))) ON CONFLICT DO NOTHING
 )sql";
 
-// Who has signed in. `session_user` is the log-in itself: SET ROLE does not change it.
+// Who has signed in. `session_user` is the log-in itself: SET ROLE does not change it. In PL/pgSQL,
+// which plans a question once for a connection: policies ask these at every statement.
 const char* const kGuardIdentity = R"sql(
 CREATE OR REPLACE FUNCTION placode_guard.trusted() RETURNS BOOLEAN
-LANGUAGE sql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
-    SELECT pg_has_role(session_user, 'placode_service', 'MEMBER') OR EXISTS (SELECT FROM pg_class c
-        WHERE c.oid = 'public.accounts'::regclass AND pg_has_role(session_user, c.relowner, 'MEMBER'))
-$$
+LANGUAGE plpgsql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
+BEGIN
+    RETURN EXISTS (SELECT FROM pg_roles r WHERE r.rolname = 'placode_service'  -- There may be none.
+        AND pg_has_role(session_user, r.oid, 'MEMBER')) OR EXISTS (SELECT FROM pg_class c
+        WHERE c.oid = 'public.accounts'::regclass AND pg_has_role(session_user, c.relowner, 'MEMBER'));
+END $$
 --
 CREATE OR REPLACE FUNCTION placode_guard.me() RETURNS BIGINT
-LANGUAGE sql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
-    SELECT coalesce((SELECT s.account FROM placode_guard.sessions s JOIN public.accounts a
+LANGUAGE plpgsql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
+BEGIN
+    RETURN coalesce((SELECT s.account FROM placode_guard.sessions s JOIN public.accounts a
         ON a.id = s.account WHERE s.token = current_setting('placode.session', true) AND a.active = 1
-        AND NOT s.resting AND s.since > clock_timestamp() - INTERVAL '24 hours'), 0)
-$$
+        AND NOT s.resting AND s.since > clock_timestamp() - INTERVAL '24 hours'), 0);
+END $$
 --
 CREATE OR REPLACE FUNCTION placode_guard.has_role(mask BIGINT) RETURNS BOOLEAN
-LANGUAGE sql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
-    SELECT placode_guard.trusted() OR EXISTS (SELECT FROM public.accounts a
-        WHERE a.id = placode_guard.me() AND a.active = 1 AND (a.roles & mask) <> 0)
-$$
+LANGUAGE plpgsql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
+BEGIN
+    RETURN EXISTS (SELECT FROM placode_guard.sessions s JOIN public.accounts a ON a.id = s.account
+        WHERE s.token = current_setting('placode.session', true) AND a.active = 1 AND (a.roles & mask) <> 0
+        AND NOT s.resting AND s.since > clock_timestamp() - INTERVAL '24 hours') OR placode_guard.trusted();
+END $$
 --
 CREATE OR REPLACE FUNCTION placode_guard.need(mask BIGINT, own BIGINT DEFAULT 0) RETURNS BOOLEAN
 LANGUAGE plpgsql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
@@ -125,17 +131,23 @@ LANGUAGE sql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
         convert_to(of_login, 'UTF8')), 1, 16), 'base64'), '=') || '$' FROM placode_guard.salt_key k))
 $$
 --
-CREATE OR REPLACE FUNCTION placode_guard.enter(of_login TEXT, proof TEXT, becomes BOOLEAN) RETURNS BIGINT
+DROP FUNCTION IF EXISTS placode_guard.enter(TEXT, TEXT, BOOLEAN)
+--
+CREATE FUNCTION placode_guard.enter(of_login TEXT, proof TEXT, becomes BOOLEAN)
+RETURNS TABLE (id BIGINT, login TEXT, display_name TEXT, roles BIGINT, active BIGINT, demonstration BIGINT,
+    created_utc TEXT, password_given BIGINT)
 LANGUAGE plpgsql SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
 DECLARE secret BYTEA := placode_guard.take_channel(); who RECORD;
 BEGIN
     SELECT a.id, a.password_hash, a.active INTO who FROM public.accounts a JOIN public.persons p
         ON p.account_id = a.id WHERE p.login_key = of_login;
-    IF NOT FOUND OR NOT placode_guard.proves(secret, who.password_hash, proof) THEN RETURN 0; END IF;
+    IF NOT FOUND OR NOT placode_guard.proves(secret, who.password_hash, proof) THEN RETURN; END IF;
     IF becomes AND who.active = 1 THEN
         PERFORM placode_guard.begin_session(who.id, clock_timestamp());
     END IF;
-    RETURN who.id;
+    -- Also of an account that is closed, and of a proctor: whoever has the password may know whose it is.
+    RETURN QUERY SELECT a.id, p.login, p.display_name, a.roles, a.active, a.demonstration, a.created_utc,
+        a.password_given FROM public.accounts a JOIN public.persons p ON p.account_id = a.id WHERE a.id = who.id;
 END $$
 --
 CREATE OR REPLACE FUNCTION placode_guard.resume(who BIGINT, proof TEXT) RETURNS BOOLEAN

@@ -25,7 +25,7 @@ constexpr std::array kRights{
     TableRight{"account_pins", "", true},
     TableRight{"invitations", "used_utc, note"},
     TableRight{"erasure_requests", "reason, done_utc"},
-    TableRight{"group_members", "", true},
+    TableRight{"group_members", "teaches", true},
     TableRight{"course_assignments", "ended_utc", true},
     TableRight{"course_grants", "", true},
     TableRight{"certificates", "", true},
@@ -61,6 +61,9 @@ constexpr const char* kOwns =
     "tableowner, 'MEMBER'))";
 
 // What a station should not be able to do, as SQL, and how it is said.
+constexpr const char* kIsService =
+    "EXISTS (SELECT FROM pg_roles WHERE rolname = 'placode_service' AND NOT (SELECT rolsuper FROM "
+    "pg_roles WHERE rolname = current_user) AND pg_has_role(current_user, oid, 'MEMBER'))";
 constexpr std::array<std::pair<const char*, const char*>, 7> kBeyond{{
     {"(SELECT rolsuper FROM pg_roles WHERE rolname = current_user)",
      "is superuser of the server: it reads and changes everything"},
@@ -75,8 +78,7 @@ constexpr std::array<std::pair<const char*, const char*>, 7> kBeyond{{
      "'UPDATE')",
      "may change scores, published texts or the trail"},
     {"has_schema_privilege('public', 'CREATE')", "may make tables and functions"},
-    {"EXISTS (SELECT FROM pg_roles WHERE rolname = 'placode_service' AND NOT (SELECT rolsuper FROM "
-     "pg_roles WHERE rolname = current_user) AND pg_has_role(current_user, oid, 'MEMBER'))",
+    {kIsService,
      "is a service's: the server takes its word for whom it works, so it is not for people"},
     {"has_column_privilege('accounts', 'password_hash', 'SELECT')", "may read hashes of passwords"},
 }};
@@ -170,7 +172,7 @@ void renew_station_role(Connection& connection, bool changed) {
 
 namespace {
 
-std::vector<std::string> what_it_may_beyond(Connection& connection) {
+std::vector<std::string> what_it_may_beyond(Connection& connection, bool service = false) {
     std::vector<std::string> problems;
     std::string columns;
     for (const auto& [condition, problem] : kBeyond)
@@ -181,7 +183,7 @@ std::vector<std::string> what_it_may_beyond(Connection& connection) {
     const std::string user = connection.url().user;
     const std::string role = user.empty() ? "the role" : "the role \"" + user + "\"";
     for (size_t i = 0; i < kBeyond.size(); ++i)
-        if (query.integer(static_cast<int>(i)) != 0)
+        if (query.integer(static_cast<int>(i)) != 0 && !(service && kBeyond[i].first == kIsService))
             problems.push_back("role: " + role + " " + kBeyond[i].second);
     return problems;
 }
@@ -197,9 +199,18 @@ std::vector<std::string> station_role_problems(Connection& connection) {
     return problems;
 }
 
-void need_station_role(Connection& connection) {
+void need_station_role(Connection& connection, bool service) {
     if (!has_station_role(connection)) return;
-    const auto problems = what_it_may_beyond(connection);
+    if (service) {
+        Statement query(connection,
+                        std::string("SELECT CASE WHEN ") + kIsService + " THEN 1 ELSE 0 END");
+        if (query.run().next() && query.integer(0) == 0)
+            connection.fail(StoreError::Kind::kRefused,
+                            Said::that("people come from a learning platform without signing in to "
+                                       "the server; use a log-in that is member of "
+                                       "placode_service, on a computer that no trainee uses"));
+    }
+    const auto problems = what_it_may_beyond(connection, service);
     if (!problems.empty())
         connection.fail(StoreError::Kind::kRefused,
                         Said::that("this log-in to the server can do more than a station should "

@@ -41,6 +41,7 @@ inline constexpr const char* kOnlyTheOwner =
 [[nodiscard]] std::vector<std::string> station_role_problems(Connection& connection);
 
 /// Throws kRefused where there is the group for stations and this log-in can do more.
-void need_station_role(Connection& connection);
+/// @param service the log-in has to be a service's instead (placode_service)
+void need_station_role(Connection& connection, bool service = false);
 
 }  // namespace placode::db

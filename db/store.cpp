@@ -86,7 +86,7 @@ void need_accounts(StoreContext& context) {
     const StoreUrl& url = context.connection.url();
     if (!context.connection.is_sqlite() || url.path == ":memory:") return;
     if (!context.options.known && !std::filesystem::exists(mark_of_store(url.path))) return;
-    if (!Statement(context.connection, "SELECT id FROM accounts LIMIT 1").run().next())
+    if (!any_account(context.connection))
         context.connection.fail(StoreError::Kind::kMissing,
                                 "the store that was here had accounts, and this one has none; "
                                 "restore a backup with `placodectl restore FILE`, or begin anew "
@@ -96,6 +96,13 @@ void need_accounts(StoreContext& context) {
 /// After an update: a store from before there were seals gets them once. Not one that this computer
 /// has signed before: its trail was taken away, and check() has to say so.
 void seal_what_was_there(StoreContext& context) {
+    if (context.server.guards()) {
+        // The owner of the tables has sealed what was there. A trail that is not there is not the
+        // one that this computer remembers.
+        if (end_of_trail(context.connection).entry == 0 && !any_account(context.connection))
+            context.station.forget();
+        return;
+    }
     const auto sealed = [&context] {
         return Statement(context.connection,
                          "SELECT id FROM audit WHERE seals <> '' OR station <> '' ORDER BY id "
@@ -142,8 +149,8 @@ void bring_up_to_date(StoreContext& context) {
             keep_checked_copy(context, connection.url().path + ".before-update-" + file_stamp());
         });
     renew_station_role(connection, changed);
+    if (context.options.station) need_station_role(connection, context.options.service);
     seal_what_was_there(context);
-    if (context.options.station) need_station_role(connection);
 }
 
 }  // namespace
@@ -168,11 +175,7 @@ void Store::act_as(const std::string& actor) {
     if (context_->actor.kind != Actor::Kind::kProgram) context_->refuse(Action::kActAs);
     context_->actor.name = context_->kept_name(actor);
     // A program that works in the name of who has signed in in it may on a server what they may.
-    int64_t account = 0;
-    {
-        Statement query(context_->connection, "SELECT account_id FROM persons WHERE login_key = ?");
-        if (query.run(login_key(actor)).next()) account = query.integer(0);
-    }
+    const int64_t account = account_of(context_->connection, login_key(actor));
     if (account != 0) context_->server.resume(account);
 }
 

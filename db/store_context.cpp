@@ -31,8 +31,8 @@ void StoreContext::delete_attempt(int64_t id) {
 }
 
 std::string StoreContext::kept_name(const std::string& login) {
-    Statement query(connection, "SELECT account_id FROM persons WHERE login_key = ?");
-    return query.run(login_key(login)).next() ? user_object(query.integer(0)) : login;
+    const int64_t account = account_of(connection, login_key(login));
+    return account != 0 ? user_object(account) : login;
 }
 
 std::string StoreContext::shown_name(const std::string& kept) { return person_of(kept, "login"); }
@@ -53,11 +53,43 @@ std::string StoreContext::person_of(const std::string& kept, const char* column)
     return query.run(id).next() ? query.text(0) : kept;
 }
 
-UserRecord StoreContext::need_user(int64_t id) {
+std::optional<UserRecord> StoreContext::find_user(int64_t id) {
     Statement query(connection, user_columns() + "WHERE a.id = ?");
-    query.run(id);
-    if (!query.next()) connection.fail(Kind::kNotFound, "there is no user " + std::to_string(id));
+    if (!query.run(id).next()) return std::nullopt;
     return read_user(query);
+}
+
+UserRecord StoreContext::need_user(int64_t id) {
+    if (const auto found = find_user(id)) return *found;
+    connection.fail(Kind::kNotFound, "there is no user " + std::to_string(id));
+}
+
+UserRecord StoreContext::need_owner(int64_t id) {
+    // Roles are taken with the name when a person is erased.
+    Statement query(connection, "SELECT demonstration FROM accounts WHERE id = ? AND roles <> 0");
+    if (!query.run(id).next())
+        connection.fail(Kind::kNotFound, "there is no user " + std::to_string(id));
+    UserRecord owner;
+    owner.id = id;
+    owner.demonstration = query.integer(0) != 0;
+    return owner;
+}
+
+int64_t account_of(Connection& connection, const std::string& key, bool only_active) {
+    const char* sql =
+        "SELECT a.id FROM persons p JOIN accounts a ON a.id = p.account_id WHERE p.login_key = ? "
+        "AND (a.active = 1 OR ? = 0)";
+    if (connection.hides_passwords())
+        sql = "SELECT placode_guard.account_of(?, CAST(? AS INTEGER) <> 0)";
+    Statement query(connection, sql);
+    return query.run(key, only_active ? 1 : 0).next() ? query.integer(0) : 0;
+}
+
+bool any_account(Connection& connection) {
+    const bool guarded = connection.hides_passwords();
+    Statement query(connection, guarded ? "SELECT 1 WHERE placode_guard.any_account()"
+                                        : "SELECT id FROM accounts LIMIT 1");
+    return query.run().next();
 }
 
 std::optional<UserRecord> StoreContext::find_staff(const std::string& login_or_name) {

@@ -20,6 +20,7 @@
 #include "db/sql_connection.h"
 #include "db/station.h"
 #include "db/store_options.h"
+#include "db/trail_head.h"
 
 namespace placode::db {
 
@@ -68,6 +69,8 @@ struct StoreContext {
     /// The object was made in this transaction.
     void made(const std::string& kind, const std::vector<std::string>& key);
     void made(const std::string& kind, int64_t id) { made(kind, {std::to_string(id)}); }
+    /// Says now that the trail ended there, signed where this computer has a key.
+    void sign_head(TrailHead& head);
     /// For a store from before there were seals, and rows that were copied in: seals what has none.
     void seal_the_unsealed();
     void delete_attempt(int64_t id);  ///< With all that hangs on it.
@@ -109,6 +112,10 @@ struct StoreContext {
 
     // --- looked up by several parts; need_...() throws kNotFound
     [[nodiscard]] UserRecord need_user(int64_t id);
+    [[nodiscard]] std::optional<UserRecord> find_user(int64_t id);
+    /// Of whom an attempt is saved: number, and whether it is a demonstration account. Who saves a
+    /// study's attempts sees no names.
+    [[nodiscard]] UserRecord need_owner(int64_t id);
     void need_group(int64_t id);
     /// An active educator or administrator, by log-in or, where nobody has that log-in, by name:
     /// who may be a proctor.
@@ -152,6 +159,13 @@ inline void show_proctors(StoreContext& context, std::span<AttemptRecord> attemp
         if (!each.exam.proctor.empty())
             each.exam.proctor = context.shown_display_name(each.exam.proctor);
 }
+
+/// The account with this key of a log-in, 0 = none; one question of a server that hides names.
+[[nodiscard]] int64_t account_of(Connection& connection, const std::string& key,
+                                 bool only_active = false);
+[[nodiscard]] bool any_account(Connection& connection);
+/// The end of the trail; entry 0: there is none.
+[[nodiscard]] Station::Head end_of_trail(Connection& connection);
 
 /// SELECT ... FROM accounts a JOIN persons p ..., for read_user().
 [[nodiscard]] const std::string& user_columns();

@@ -22,6 +22,9 @@ struct StoreOptions {
     /// For people at a station: where a centre's server has the group for stations
     /// (db/station_role.h), a log-in that can do more is refused.
     bool station = false;
+    /// With `station`: a program that acts for people who sign in elsewhere, as a learning platform
+    /// lets them in. On a server it needs the log-in of a service (placode_service).
+    bool service = false;
 };
 
 }  // namespace placode::db

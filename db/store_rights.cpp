@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "db/station_guard.h"
 #include "db/store_context.h"
 
 namespace placode::db {
@@ -22,8 +23,12 @@ bool StoreContext::is_self(int64_t account_id) const noexcept {
 Roles StoreContext::roles_of_actor() {
     if (actor.kind != Actor::Kind::kAccount) return 0;
     Statement query(connection, "SELECT roles, active FROM accounts WHERE id = ?");
-    if (!query.run(actor.account).next() || query.integer("active") == 0) return 0;
-    return static_cast<Roles>(query.integer("roles"));
+    if (!query.run(actor.account).next()) {
+        // Every account has a row, and a server shows it to whom it knows to have signed in.
+        if (server.guards()) connection.fail(StoreError::Kind::kRefused, guard_refusal());
+        return 0;
+    }
+    return query.integer("active") == 0 ? Roles{0} : static_cast<Roles>(query.integer("roles"));
 }
 
 bool StoreContext::may(Action action, Scope scope) {
@@ -99,7 +104,11 @@ void StoreContext::refuse(Action action) const {
 }
 
 std::optional<AttemptOwner> StoreContext::owner_of_attempt(int64_t id) {
-    Statement query(connection, "SELECT account_id, study, participant FROM attempts WHERE id = ?");
+    const bool guarded = server.guards();
+    Statement query(connection,
+                    guarded ? "SELECT account_id, study, participant FROM "
+                              "placode_guard.owner_of_attempt(?)"
+                            : "SELECT account_id, study, participant FROM attempts WHERE id = ?");
     if (!query.run(id).next()) return std::nullopt;
     AttemptOwner owner;
     owner.study = {query.text("study"), query.text("participant")};

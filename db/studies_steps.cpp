@@ -89,6 +89,9 @@ int64_t Studies::record_step(const StepRecord& step) {
                                  .with(step.attempt_id)
                                  .with(participant)
                                  .with(study));
+    } else if (step.attempt_id != 0 && context_.owner_of_attempt(step.attempt_id)) {
+        // There, and a server does not show it: somebody else's, of no study.
+        context_.refuse(Action::kViewAttempts);
     }
     const int64_t id = insert_step(step);
     work.commit();

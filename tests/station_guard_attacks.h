@@ -117,6 +117,20 @@ inline constexpr std::array kGuardAttacks{
     "added_utc) VALUES ('x', '', '', '', '', 1, '', '')",
 };
 
+/// What one statement got: rows that it saw or changed, or why it was refused.
+struct Outcome {
+    int rows = 0;
+    std::string refusal;  ///< Empty: it was not.
+    [[nodiscard]] bool got_anything() const { return refusal.empty() && rows > 0; }
+};
+
+inline Outcome outcome_of(RawConnection& raw, const std::string& sql) {
+    QSqlQuery query(raw.handle());
+    if (!query.exec(QString::fromStdString(sql)))
+        return {0, query.lastError().text().toStdString() + " "};
+    return {query.isSelect() ? query.size() : query.numRowsAffected(), ""};
+}
+
 /// Signs in by SQL as the programs do, written down a second time.
 class Intruder {
  public:
@@ -151,7 +165,9 @@ class Intruder {
         return enter_with(login, proof(channel(), key));
     }
     std::string enter_with(const std::string& login, const std::string& with) {
-        return raw_.value("SELECT placode_guard.enter('" + login + "', '" + with + "', true)");
+        // "" where the server refuses to look at all.
+        return raw_.value("SELECT coalesce((SELECT id FROM placode_guard.enter('" + login + "', '" +
+                          with + "', true)), 0)");
     }
     std::string resume(const std::string& account, const std::string& token) {
         return raw_.value("SELECT placode_guard.resume(" + account + ", '" +

@@ -58,9 +58,10 @@ void log(const std::string& line) {
 }
 
 /// On a server a log-in that can do more than a station's is refused.
-db::StoreOptions at_station() {
+db::StoreOptions at_station(bool lti) {
     db::StoreOptions options;
     options.station = true;
+    options.service = lti;
     return options;
 }
 
@@ -72,7 +73,7 @@ std::string checked_store(const Options& options) {
             "--store: the address holds a password, and everybody on this computer can read it "
             "there (ps); put it in ~/.pgpass (mode 600) or $PGPASSWORD");
     // For nobody: account 0 is none.
-    (void)db::open_for_reading(url, 0, at_station());
+    (void)db::open_for_reading(url, 0, at_station(!options.lti.empty()));
     return url;
 }
 
@@ -120,7 +121,7 @@ int serve(const Options& options) {
     } catch (const std::exception& error) {
         return fail(1, error.what());
     }
-    portal.store = at_station();
+    portal.store = at_station(!options.lti.empty());
     portal.behind_tls = options.behind_tls;
     portal.review_bytes = static_cast<size_t>(options.review_mib) << 20;
     portal.log = log;

@@ -10237,6 +10237,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>brak jej tabel albo są ze starszej wersji, a ten login nie może ich tworzyć; robi to ich właściciel poleceniem `placodectl station role --apply`</translation>
     </message>
     <message>
+        <source>people come from a learning platform without signing in to the server; use a log-in that is member of placode_service, on a computer that no trainee uses</source>
+        <translation>z platformy edukacyjnej ludzie wchodzą bez logowania do serwera; użyj loginu, który należy do placode_service, na komputerze, z którego nie korzysta żaden uczący się</translation>
+    </message>
+    <message>
         <source>this log-in to the server can do more than a station should (%1); use one that is member of placode_station</source>
         <translation>ten login do serwera może więcej niż powinno stanowisko (%1); użyj loginu, który należy do placode_station</translation>
     </message>
