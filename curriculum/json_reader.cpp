@@ -32,6 +32,9 @@ std::string read_definition(const fs::path& file) {
     std::error_code error;
     if (fs::is_directory(file, error))
         throw DefinitionError(file.string(), "", "is a folder; expected a JSON file");
+    // A pipe that nobody writes into would keep us waiting for ever. /dev/stdin may be one.
+    if (fs::is_fifo(file, error) && !file.string().starts_with("/dev/"))
+        throw DefinitionError(file.string(), "", "is a pipe; expected a JSON file");
     std::ifstream in(file, std::ios::binary);
     if (!in) throw DefinitionError(file.string(), "", "cannot be opened; check path and rights");
     auto text = sim::read_at_most(in, sim::kLargestText);

@@ -51,6 +51,9 @@ std::string pattern_words(const std::string& pattern) {
     return " that fits " + pattern;
 }
 
+/// Of an unknown key; our longest has 40 letters.
+constexpr size_t kMostShown = 80;
+
 size_t shared_prefix(const std::string& a, const std::string& b) {
     size_t n = 0;
     while (n < a.size() && n < b.size() && a[n] == b[n]) ++n;
@@ -194,11 +197,14 @@ class Explainer {
                                   const std::string& pointer) const {
         std::string best, all;
         size_t best_prefix = 0, best_distance = SIZE_MAX;
+        // No key is near to one that is longer than every one, and the distance costs their
+        // product.
+        const std::string word = key.substr(0, kMostShown);
         for (const auto& [name, unused] : properties.items()) {
             all += (all.empty() ? "" : ", ") + name;
             if (value.contains(name)) continue;
-            const size_t prefix = shared_prefix(key, name),
-                         distance = sim::edit_distance(key, name);
+            const size_t prefix = shared_prefix(word, name),
+                         distance = sim::edit_distance(word, name);
             if (prefix < best_prefix || (prefix == best_prefix && distance >= best_distance))
                 continue;
             best = name;
@@ -206,9 +212,10 @@ class Explainer {
             best_distance = distance;
         }
         const bool near = !best.empty() && (best_prefix >= 5 ||
-                                            best_distance <= std::max<size_t>(2, key.size() / 3));
+                                            best_distance <= std::max<size_t>(2, word.size() / 3));
         throw DefinitionError(origin_, pointer.empty() ? "/" : pointer,
-                              "unknown key \"" + key + "\"; expected " +
+                              "unknown key \"" + word + (word.size() < key.size() ? "..." : "") +
+                                  "\"; expected " +
                                   (near ? "\"" + best + "\" (" + expected(properties[best]) + ")"
                                         : "one of: " + all));
     }

@@ -3,6 +3,8 @@
 #include "curriculum/task.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -114,6 +116,37 @@ TEST(Task, AWrongUnitNamesTheKeyThatWasMeant) {
     expect_refused(
         "task_limit_in_minutes", "/",
         {"unknown key \"time_limit_min\"", "expected \"time_limit_s\"", "in s", "from 1 to 7200"});
+}
+
+// What a file from outside calls a key is said, and not all of it: a megabyte took seconds.
+TEST(Task, AVeryLongKeyIsShownInPart) {
+    const std::string file = testing::TempDir() + "/long_key.json";
+    std::ofstream(file) << "{\"" << std::string(1 << 20, 'k') << "\": 1}";
+    try {
+        (void)load_task(file);
+        ADD_FAILURE() << "was accepted";
+    } catch (const DefinitionError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("unknown key \"kkk"), std::string::npos) << text.substr(0, 1000);
+        EXPECT_NE(text.find("kkk...\""), std::string::npos) << text.substr(0, 1000);
+        EXPECT_LT(text.size(), 2000u);
+    }
+}
+
+// A pipe that nobody writes into kept the simulator waiting, deaf to the signal that ends it.
+TEST(Task, APipeIsNoTask) {
+    const std::string pipe = testing::TempDir() + "/pipe.json";
+    ::unlink(pipe.c_str());
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    try {
+        (void)load_task(pipe);
+        ADD_FAILURE() << "was accepted";
+    } catch (const DefinitionError& error) {
+        EXPECT_NE(std::string(error.what()).find("is a pipe; expected a JSON file"),
+                  std::string::npos)
+            << error.what();
+    }
+    ::unlink(pipe.c_str());
 }
 
 TEST(Task, AnImpossibleValueNamesFieldValueAndRange) {
