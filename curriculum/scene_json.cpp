@@ -32,10 +32,10 @@ struct EnumName {
 constexpr EnumName<Method> kMethods[]{
     {Method::kXpbd, "xpbd"}, {Method::kXpbdPair, "xpbd_pair"}, {Method::kVbd, "vbd"}};
 constexpr EnumName<ToolKind> named(ToolKind kind) { return {kind, sim::tool_kind_name(kind)}; }
-constexpr EnumName<ToolKind> kToolKinds[]{named(ToolKind::kScope),       named(ToolKind::kNeedle),
-                                          named(ToolKind::kHook),        named(ToolKind::kGrasper),
-                                          named(ToolKind::kScissors),    named(ToolKind::kProbe),
-                                          named(ToolKind::kNeedleDriver)};
+constexpr EnumName<ToolKind> kToolKinds[]{
+    named(ToolKind::kScope),        named(ToolKind::kNeedle),   named(ToolKind::kHook),
+    named(ToolKind::kGrasper),      named(ToolKind::kScissors), named(ToolKind::kProbe),
+    named(ToolKind::kNeedleDriver), named(ToolKind::kIrrigator)};
 constexpr EnumName<Hand> kHands[]{
     {Hand::kRight, "right"}, {Hand::kLeft, "left"}, {Hand::kCamera, "camera"}};
 
@@ -164,6 +164,28 @@ void visit_patch(const V& v, P& p) {
     v("centre_m", p.centre_m);
     v("yaw_deg", p.yaw_deg);
     v("height_m", p.height_m);
+}
+
+template <class V, class I>
+void visit_irrigation(const V& v, I& i) {
+    v("jet_speed_m_s", i.jet.speed_m_s);
+    v("jet_bore_m", i.jet.bore_m);
+    v("density_kg_m3", i.jet.density_kg_m3);
+    v("viscosity_pa_s", i.jet.viscosity_pa_s);
+    v("core_diameters", i.jet.core_diameters);
+    v("suction_pa", i.suction.pressure_pa);
+    v("suction_bore_m", i.suction.bore_m);
+    v("suction_flow_m3_s", i.suction.flow_m3_s);
+    v("cell_m", i.cell_m);
+    v("crumbs", i.crumbs);
+    v("spots", i.spots);
+    v("crumb_pa", i.law.adhesion_pa[0]);
+    v("spot_pa", i.law.adhesion_pa[1]);
+    v("crumb_s", i.law.hold_s[0]);
+    v("spot_s", i.law.hold_s[1]);
+    v("spot_blood_m3", i.law.blood_m3);
+    v("start_m3", i.start_m3);
+    v("start_blood_share", i.start_blood_share);
 }
 
 template <class V, class N>
@@ -382,6 +404,8 @@ OperativeFieldSpec scene_from_json(const Json& scene, const std::string& origin,
         if (scene.contains("suture")) spec.suture = suture_from_json(scene["suture"]);
         if (scene.contains("slit")) spec.slit = slit_from_json(scene["slit"]);
         if (scene.contains("patch")) visit_patch(Reader{scene["patch"]}, spec.patch.emplace());
+        if (scene.contains("irrigation"))
+            visit_irrigation(Reader{scene["irrigation"]}, spec.irrigation.emplace());
         if (scene.contains("contact")) visit_contact(Reader{scene["contact"]}, spec.contact);
         spec.heat = scene.contains("heat") && scene["heat"].value("enabled", true);
         if (spec.heat) visit_heat(Reader{scene["heat"]}, spec.heat_settings);
@@ -409,6 +433,10 @@ Json scene_to_json(const OperativeFieldSpec& spec) {
     if (spec.patch) {
         scene["patch"] = Json::object();
         visit_patch(Writer{scene["patch"]}, *spec.patch);
+    }
+    if (spec.irrigation) {
+        scene["irrigation"] = Json::object();
+        visit_irrigation(Writer{scene["irrigation"]}, *spec.irrigation);
     }
     scene["heat"]["enabled"] = spec.heat;
     visit_heat(Writer{scene["heat"]}, spec.heat_settings);

@@ -17,9 +17,7 @@ constexpr int64_t kShortPressNs = 250'000'000;  // shorter: change of instrument
 constexpr double kJawS = 0.150;                 // a button closes jaws in this time
 constexpr double kRatchet = 0.18;               // as for the mouse: holds without crushing
 
-bool energy_tool(const sim::ToolSpec& tool) noexcept {
-    return tool.kind == sim::ToolKind::kNeedle || tool.kind == sim::ToolKind::kHook;
-}
+bool energy_tool(const sim::ToolSpec& tool) noexcept { return sim::uses_pedals(tool.kind); }
 
 double nearest_turn(double angle, double to) noexcept {
     const double turn = 2 * std::numbers::pi;

@@ -70,7 +70,9 @@ WindowHands::WindowHands(const DeviceConfig& config, std::string model)
         if (grasper) hands_[i].jaw_least_rad = (1 - kRatchet) * sim::grip_angle(config.tools[i]);
         // Open from the start: jaws that open by themselves would start the clock.
         hands_[i].jaw_rad = std::max(hands_[i].jaw_open_rad, hands_[i].jaw_least_rad);
-        hands_[i].energy = kind == sim::ToolKind::kNeedle || kind == sim::ToolKind::kHook;
+        hands_[i].energy = sim::uses_pedals(kind);
+        // A pedal that sticks burns; water may run.
+        hands_[i].endless = kind == sim::ToolKind::kIrrigator || !hands_[i].energy;
         if (!hands_[i].scope && !found) {
             active_ = i;
             found = true;
@@ -210,7 +212,7 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
     uint8_t pressed = static_cast<uint8_t>(buttons(now) | feet_.poll(t_ns));
     if (now.is_down(sim::Key::kCut)) pressed |= sim::kPedalCut;
     if (now.is_down(sim::Key::kCoag)) pressed |= sim::kPedalCoag;
-    const uint8_t held = own_press(pedals_.update(pressed, t_ns, allowed, !hands_[active_].energy));
+    const uint8_t held = own_press(pedals_.update(pressed, t_ns, allowed, hands_[active_].endless));
     before_ = now;
 
     ++sequence_;

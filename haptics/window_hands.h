@@ -41,7 +41,7 @@ struct WindowHand {
     double turned_rad = 0;      ///< Follows `roll_rad`: at once, with a needle smoothly.
     Vec3 arm_m = Vec3::Zero();  ///< From the tip to what it turns about; zero = its shaft.
     Vec3 axis = Vec3::UnitZ();
-    bool scope = false, energy = false;
+    bool scope = false, energy = false, endless = true;
     uint32_t others_in_port = 0;  ///< By bits: they take turns.
     bool out = false;             ///< Waits outside.
     double jaw_least_rad = 0;     ///< A ratchet holds jaws from squeezing further.

@@ -109,7 +109,8 @@ PLACODE_API const char* placode_error(const placode_environment* environment);
 
 /* Known without a reset. */
 PLACODE_API size_t placode_tool_count(const placode_environment* environment);
-/* "needle", "hook", "grasper", "scissors", "probe", "needle_driver" or "scope". */
+/* "needle", "hook", "grasper", "scissors", "probe", "needle_driver", "irrigator" or
+ * "scope". */
 PLACODE_API const char* placode_tool_kind(const placode_environment* environment, size_t tool);
 /* Whose: "right", "left" or "camera". Instruments of one hand share a port and take turns. */
 PLACODE_API const char* placode_tool_hand(const placode_environment* environment, size_t tool);

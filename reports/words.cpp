@@ -259,6 +259,8 @@ QString tool_words(sim::ToolKind kind) {
             return figure_word("scope");
         case sim::ToolKind::kNeedleDriver:
             return figure_word("needle driver");
+        case sim::ToolKind::kIrrigator:
+            return figure_word("irrigator");
         default:
             return figure_word("instrument");
     }

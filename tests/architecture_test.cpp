@@ -148,6 +148,7 @@ TEST(Architecture, EachRoomTouchesItsPartOfTheState) {
         {"contact",
          "frame substeps body sleep surface self_contact tools tool_side pieces held_by colour "
          "friction patch flags workers scratch"},
+        {"fluid", "frame time_s body surface tools irrigation scratch"},
         {"cutting",
          "frame time_s substeps body sleep surface self_contact sac heat tools grasps scissors "
          "suturing release resection pieces splits slides slides_refused held_by progress "

@@ -72,7 +72,9 @@ class Checker {
 
     void heights() const {
         // A high dome of four layers has flat tets on its flanks; a sac's wall stands across them.
-        range("dome_height_m", spec_.dome_height_m, 0, spec_.cystic ? 0.008 : 0.0035);
+        // A lesion that has sunk after its release lies below the back; a sac does not.
+        range("dome_height_m", spec_.dome_height_m, spec_.cystic ? 0 : -0.0025,
+              spec_.cystic ? 0.008 : 0.0035);
         range("dome_exponent", spec_.dome_exponent, spec_.cystic ? 1 : 0.5, 3);
         range("canal_depth_m", spec_.canal_depth_m, 0.001, 0.008);
         range("base_radius_x_m", spec_.base_radius_x_m, spec_.domain_x_m / 2, 1e6);
@@ -198,6 +200,56 @@ class Checker {
         beside_patch();
     }
 
+    /// What irrigation cannot be together with, yet: its loads are springs of the surface, which
+    /// must stay what it is.
+    void beside_irrigation() const {
+        const std::string field = "operative field '" + spec_.id + "': irrigation: ";
+        if (spec_.solver.method != Method::kVbd)
+            throw MeshError(field + "it needs solver.method vbd, the only one that knows loads");
+        if (spec_.cystic) throw MeshError(field + "not in a cystic field; expected a flat one");
+        if (spec_.heat)
+            throw MeshError(field + "it does not know heat; expected heat.enabled: false");
+        if (spec_.patch) throw MeshError(field + "not beside a patch; leave one of them out");
+        if (spec_.slit) throw MeshError(field + "not beside a slit; leave one of them out");
+        for (const ToolSpec& t : spec_.tools) {
+            if (t.kind == ToolKind::kScissors)
+                throw MeshError(field + "not with scissors among the tools; leave one of them out");
+        }
+    }
+
+    void irrigation() const {
+        const bool tool =
+            std::any_of(spec_.tools.begin(), spec_.tools.end(),
+                        [](const ToolSpec& t) { return t.kind == ToolKind::kIrrigator; });
+        if (!spec_.irrigation) {
+            if (tool)
+                throw MeshError("operative field '" + spec_.id +
+                                "': tools: an irrigator without fluid; expected a section "
+                                "\"irrigation\"");
+            return;
+        }
+        const FieldIrrigation& f = *spec_.irrigation;
+        range("irrigation.jet_speed_m_s", f.jet.speed_m_s, 0.01, 10);
+        range("irrigation.jet_bore_m", f.jet.bore_m, 0.0002, 0.003);
+        range("irrigation.density_kg_m3", f.jet.density_kg_m3, 500, 2000);
+        range("irrigation.viscosity_pa_s", f.jet.viscosity_pa_s, 1e-4, 0.1);
+        range("irrigation.core_diameters", f.jet.core_diameters, 1, 100);
+        range("irrigation.suction_pa", f.suction.pressure_pa, 0, 60000);
+        range("irrigation.suction_bore_m", f.suction.bore_m, 0.0005, 0.004);
+        range("irrigation.suction_flow_m3_s", f.suction.flow_m3_s, 0, 1e-4);
+        range("irrigation.cell_m", f.cell_m, 0.0003, 0.002);
+        range("irrigation.crumbs", f.crumbs, 0, 64);
+        range("irrigation.spots", f.spots, 0, 64);
+        range("irrigation.crumb_pa", f.law.adhesion_pa[0], 0.1, 1000);
+        range("irrigation.spot_pa", f.law.adhesion_pa[1], 0.1, 1000);
+        range("irrigation.crumb_s", f.law.hold_s[0], 0, 60);
+        range("irrigation.spot_s", f.law.hold_s[1], 0, 60);
+        range("irrigation.spot_blood_m3", f.law.blood_m3, 0, 1e-7);
+        range("irrigation.start_m3", f.start_m3, 0, 5e-6);
+        range("irrigation.start_blood_share", f.start_blood_share, 0, 1);
+        beside_irrigation();
+    }
+
     void mechanics() const {
         range("skin_prestretch", spec_.skin_prestretch, 1, 1.5);
         range("zone_prestretch", spec_.zone_prestretch, 1, 1.5);
@@ -206,6 +258,7 @@ class Checker {
         suture();
         slit();
         patch();
+        irrigation();
         range("bed_normal_pa_m", spec_.bed_normal_pa_m, 0, 1e12);
         range("bed_tangent_pa_m", spec_.bed_tangent_pa_m, 0, 1e12);
         range("side_pa_m", spec_.side_pa_m, 0, 1e12);

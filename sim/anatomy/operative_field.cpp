@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/anatomy/field_irrigation.h"
 #include "sim/anatomy/field_mesh.h"
 #include "sim/anatomy/field_patch.h"
 #include "sim/anatomy/field_sac.h"
@@ -159,12 +160,14 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     });
     if (scissors) body.spare_vertices = spec.spare_vertices;
     std::optional<Patch> patch = add_patch(spec, field, body);
+    std::optional<Irrigation> irrigation = add_irrigation(spec, shape, field, body);
 
     auto scene = std::make_shared<Scene>(SoftBody(std::move(body)), std::move(patch));
     scene->id = spec.id;
     if (spec.heat) scene->heat.emplace(field.mesh, spec.materials, spec.heat_settings);
     scene->sac = std::move(sac);
     scene->slit = field.slit;
+    scene->irrigation = std::move(irrigation);
     uncover_slit(field, scene->surface);
     scene->contact = spec.contact;
     scene->cut_snap = spec.cut_snap;

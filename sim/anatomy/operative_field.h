@@ -58,6 +58,17 @@ struct FieldPatch {
                       .damping_per_s = 20};
 };
 
+/// Fluid, jet, suction and debris over the lesion. All planning values.
+struct FieldIrrigation {
+    JetSpec jet;
+    SuctionSpec suction;
+    DebrisLaw law;
+    double cell_m = 0.0005;           ///< Of the grid in which fluid stands.
+    int crumbs = 8, spots = 6;        ///< Of char, of blood.
+    double start_m3 = 1e-7;           ///< Stands in the lesion at the start ...
+    double start_blood_share = 0.02;  ///< ... so much of it blood.
+};
+
 /// Parameters in SI. Defaults are those of the default preset.
 struct OperativeFieldSpec {
     std::string id = "field";
@@ -111,6 +122,7 @@ struct OperativeFieldSpec {
     std::optional<FieldSuture> suture;
     std::optional<FieldSlit> slit;
     std::optional<FieldPatch> patch;
+    std::optional<FieldIrrigation> irrigation;
     std::vector<ToolSpec> tools;
 };
 

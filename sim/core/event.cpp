@@ -143,6 +143,14 @@ std::string_view event_name(EventKind kind) noexcept {
             return "thread_cut";
         case EventKind::kThreadToreOut:
             return "thread_tore_out";
+        case EventKind::kJetOnPlacode:
+            return "jet_on_placode";
+        case EventKind::kSuctionHeld:
+            return "suction_held";
+        case EventKind::kIrrigated:
+            return "irrigated";
+        case EventKind::kDebrisLeft:
+            return "debris_left";
     }
     return "unknown";
 }
@@ -169,7 +177,8 @@ bool only_in_recording(EventKind kind) noexcept {
            kind == EventKind::kTakenOut || kind == EventKind::kMarkedLost ||
            kind == EventKind::kRingGap || kind == EventKind::kSlitGap ||
            kind == EventKind::kWatertight || kind == EventKind::kLedgerWritten ||
-           kind == EventKind::kPatchEdge || kind == EventKind::kPatchFold;
+           kind == EventKind::kPatchEdge || kind == EventKind::kPatchFold ||
+           kind == EventKind::kIrrigated || kind == EventKind::kDebrisLeft;
 }
 
 }  // namespace placode::sim

@@ -128,6 +128,23 @@ enum class EventKind : uint16_t {
     kThreadOut = 100,       ///< an end of the thread has left a channel, which is empty
     kThreadCut = 101,       ///< thread cut through the mouth of its channel: value = load [N/m]
     kThreadToreOut = 102,   ///< and through the last of it, likewise
+    // Irrigation and suction (sim/fluid).
+    kJetOnPlacode = 103,  ///< a jet pressed on the placode with more than kJetLimitPa (raised when
+                          ///< it ends): value = seconds, value2 = peak pressure [Pa]
+    kSuctionHeld = 104,   ///< suction held tissue (raised when it ends): value = seconds, value2 =
+                          ///< peak pull [N]
+    kIrrigated = 105,     ///< after the last frame, sums: element = IrrigationSum, which says what
+                          ///< value and value2 are
+    kDebrisLeft = 106,  ///< after the last frame, one for each crumb or spot that is left: value =
+                        ///< DebrisKind, value2 = 0 stuck, 1 loose, element = its number
+};
+/// What a kIrrigated event tells: value, value2.
+enum class IrrigationSum : int32_t {
+    kJet = 0,  ///< Highest pressure on the placode [Pa], seconds above the limit; place = where.
+    kFluid,    ///< Left standing, given by jets [m^3].
+    kView,     ///< Share of the lesion that blood hides, seconds in which it hid too much.
+    kSuction,  ///< Seconds in which suction held tissue, those with the placode.
+    kDebris    ///< Crumbs and spots at the start, left.
 };
 /// Why simulated time stood still.
 enum class PauseCause : uint8_t { kMenu = 0, kHelp, kClosing, kFocus };

@@ -12,7 +12,8 @@
 namespace placode::sim {
 
 /// Stored as a number in recordings: append only. kNeedle is that of diathermy; a suture needle is
-/// held by a kNeedleDriver.
+/// held by a kNeedleDriver. Of a kIrrigator the yellow pedal opens the jet, the blue one the
+/// suction.
 enum class ToolKind : uint8_t {
     kScope,
     kNeedle,
@@ -20,10 +21,16 @@ enum class ToolKind : uint8_t {
     kGrasper,
     kScissors,
     kProbe,
-    kNeedleDriver
+    kNeedleDriver,
+    kIrrigator
 };
-inline constexpr int kToolKinds = 7;
+inline constexpr int kToolKinds = 8;
 enum class Hand : uint8_t { kRight, kLeft, kCamera };
+
+/// Its pedals do something; other instruments have jaws, or nothing.
+[[nodiscard]] constexpr bool uses_pedals(ToolKind kind) noexcept {
+    return kind == ToolKind::kNeedle || kind == ToolKind::kHook || kind == ToolKind::kIrrigator;
+}
 
 inline constexpr int kMaxTools = 4;       ///< Two for the right hand, one for the left, the scope.
 inline constexpr uint8_t kPedalCut = 1;   ///< Yellow pedal.

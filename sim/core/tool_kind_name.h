@@ -24,6 +24,8 @@ namespace placode::sim {
             return "probe";
         case ToolKind::kNeedleDriver:
             return "needle_driver";
+        case ToolKind::kIrrigator:
+            return "irrigator";
     }
     return "";
 }

@@ -19,6 +19,7 @@
 #include "sim/cutting/sac.h"
 #include "sim/cutting/scissors.h"
 #include "sim/cutting/separation.h"
+#include "sim/fluid/irrigation.h"
 #include "sim/ledger/ledger.h"
 #include "sim/mesh/box_distance.h"
 #include "sim/solver/restore_rest_shape.h"
@@ -270,6 +271,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     collect_candidates(scene, state);
     collect_tissue_pairs(scene, state);
     collect_patch_faces(scene, state, state.frame);
+    update_irrigation(scene, state, frame_s);
     update_sac(scene, state, frame_s, false);
     wake_tissue(scene, state);
     costs.charge(kContact);

@@ -15,6 +15,7 @@
 #include "sim/mesh/surface.h"
 #include "sim/solver/soft_body.h"
 #include "sim/suture/suture.h"
+#include "sim/world/irrigation.h"
 #include "sim/world/patch.h"
 #include "sim/world/sac_state.h"
 #include "sim/world/slit.h"
@@ -111,6 +112,7 @@ struct Scene {
         colour_linear{};  ///< Base albedo by tissue, linear RGB.
     std::vector<std::string>
         notes;  ///< What the loader found: Courant numbers, qualities, choices.
+    std::optional<Irrigation> irrigation;  ///< Fluid and debris; absent = costs nothing.
 };
 
 }  // namespace placode::sim

@@ -13,6 +13,7 @@
 #include "sim/world/cut_state.h"
 #include "sim/world/patch_scratch.h"
 #include "sim/world/pieces_state.h"
+#include "sim/world/pool_flux.h"
 #include "sim/world/state.h"
 
 namespace placode::sim {
@@ -48,6 +49,7 @@ struct State::Scratch {
     std::array<int32_t, kMaxTools> tip_triangle{-1, -1, -1, -1};  // next to each tip, a frame ago
     double longest_edge_m = 0;                                    // at rest, constant
     bool heat_stepped = false;                                    // in this frame
+    PoolFlux pool;                                                // of the last sweep
 };
 
 }  // namespace placode::sim

@@ -50,7 +50,8 @@ State::Scratch::Scratch(const Scene& scene, CutProgress* untouched)
       sac_thirds(scene.sac.triangles.size()),
       sector_stack(scene.body.tet_count()),
       tet_seen(scene.body.tet_count(), 0),
-      beside_blade(scene.body.spec().spare_vertices > 0 ? scene.body.vertex_capacity() : 0, 0) {
+      beside_blade(scene.body.spec().spare_vertices > 0 ? scene.body.vertex_capacity() : 0, 0),
+      pool(scene.irrigation ? scene.irrigation->grid.cells() : 0) {
     if (scene.suture) suture.emplace_back(scene.body, *scene.suture);
     choices.reserve(scene.body.spec().spare_vertices > 0 ? kMostChoices : 0);
     CutProgress nobodys;
@@ -77,6 +78,7 @@ void State::Scratch::forget() noexcept {
     for (SutureScratch& lists : suture) lists.forget();
     tip_triangle.fill(-1);
     heat_stepped = false;
+    pool.clear();
 }
 
 State::State(const Scene& scene, int threads)
@@ -94,7 +96,8 @@ State::State(const Scene& scene, int threads)
       stretch_count(scene.body.tet_count(), 0),
       patch(scene),
       workers(std::make_unique<Workers>(threads)),
-      scratch(std::make_unique<Scratch>(scene, &progress)) {
+      scratch(std::make_unique<Scratch>(scene, &progress)),
+      irrigation(scene) {
     sleep.follow_leaves(surface.tree(), scene.body.mesh());
     for (auto& row : tool_side) row.fill(Vec3::Zero());
     colour.vertex.assign(kMostContactVertices, -1);

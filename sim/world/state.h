@@ -16,6 +16,7 @@
 #include "sim/world/contact_state.h"
 #include "sim/world/cut_state.h"
 #include "sim/world/grasp_state.h"
+#include "sim/world/irrigation_state.h"
 #include "sim/world/ledger_state.h"
 #include "sim/world/patch_state.h"
 #include "sim/world/pieces_state.h"
@@ -75,6 +76,7 @@ struct State {
     std::unique_ptr<Workers> workers;
     struct Scratch;  ///< Lists of one frame: sim/world/scratch.h.
     std::unique_ptr<Scratch> scratch;
+    IrrigationState irrigation;
     ~State();
 };
 
@@ -85,12 +87,12 @@ void fields(Of<State> auto& s, Visit&& visit) {
            tool_side, grasps, scissors, suturing, release, resection, pieces, splits, slides,
            slides_refused, held_by, progress, removed_m3, vapour_rate_m3_s, colour, separation,
            flood, ledger, gone_by_heat, friction, stretch_count, loose_version, patch, events,
-           event_count, flags, workers, scratch] = s;
+           event_count, flags, workers, scratch, irrigation] = s;
     visit.state(frame, time_s, substeps, phase, body, sleep, surface, self_contact, sac, heat,
                 tools, tool_side, grasps, scissors, suturing, release, resection, pieces, splits,
                 slides, slides_refused, held_by, progress, removed_m3, vapour_rate_m3_s, colour,
                 separation, flood, ledger, gone_by_heat, friction, stretch_count, loose_version,
-                patch);
+                patch, irrigation);
     // Of one frame; threads; lists of one frame.
     visit.constant(events, event_count, flags, workers, scratch);
 }

@@ -124,6 +124,23 @@ uint64_t state_hash(const State& state) noexcept {
         hash.add(static_cast<int32_t>(v));
         for (const float n : state.patch.load_n[v]) hash.add(n);
     }
+    // An empty list leaves the hash what it is.
+    const IrrigationState& fluid = state.irrigation;
+    hash.all(fluid.pool.volume_m3);
+    hash.all(fluid.pool.blood_m3);
+    hash.all(fluid.debris);
+    for (int32_t i = 0; i < fluid.loaded_count; ++i) {
+        const auto v = static_cast<size_t>(fluid.loaded[static_cast<size_t>(i)]);
+        hash.add(static_cast<int32_t>(v));
+        for (const float n : fluid.load_n[v]) hash.add(n);
+    }
+    if (!fluid.pool.volume_m3.empty()) {
+        for (const TipFlow& tip : fluid.tips) hash.add(tip.shut);
+        for (const double d : {fluid.pool.given_m3, fluid.pool.sucked_m3, fluid.pool.run_off_m3,
+                               fluid.peak_pa, fluid.over_s, fluid.hidden, fluid.hidden_s,
+                               fluid.held_s, fluid.placode_held_s, fluid.jet_m3})
+            hash.add(d);
+    }
     hash.add(state.release.free_count);
     hash.add(state.release.next);
     hash.add(state.pieces.out);

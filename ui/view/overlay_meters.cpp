@@ -33,6 +33,8 @@ const char* tool_word(ToolKind kind) {
             return "probe";
         case ToolKind::kNeedleDriver:
             return "needle driver";
+        case ToolKind::kIrrigator:
+            return "irrigator";
     }
     return "";
 }

@@ -178,6 +178,20 @@ void add_probe(ToolModel& shape, float radius, float length) {
     add_revolution(shape, profile);
 }
 
+/// An open tube of steel, thinner than its shaft: mouth and rim are seen.
+void add_cannula(ToolModel& shape, float tip, float exposed, float radius, float length) {
+    const auto steel = ToolMaterial::kSteel;
+    const float bore = 0.80F * tip;
+    std::vector<ProfilePoint> profile{{2.0F, 0.02F, ToolMaterial::kInsulation},
+                                      {1.6F, 0.9F * bore, ToolMaterial::kInsulation},
+                                      {0.05F, bore, steel},
+                                      {0.0F, 0.5F * (bore + tip), steel},
+                                      {0.05F, tip, steel},
+                                      {exposed, tip, steel}};
+    add_shaft(profile, exposed + 0.02F, radius, length, ToolMaterial::kInsulation);
+    add_revolution(shape, profile);
+}
+
 }  // namespace
 
 ToolModel tool_model(const ToolSpec& spec) {
@@ -203,6 +217,9 @@ ToolModel tool_model(const ToolSpec& spec) {
             break;
         case ToolKind::kProbe:
             add_probe(shape, radius, length);
+            break;
+        case ToolKind::kIrrigator:
+            add_cannula(shape, tip, std::max(mm(spec.tip_length_m), 2.0F), radius, length);
             break;
         case ToolKind::kScope:
             break;
