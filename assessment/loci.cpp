@@ -12,6 +12,7 @@
 #include "assessment/motion_metrics.h"
 #include "assessment/patch_metrics.h"
 #include "assessment/tissue_metrics.h"
+#include "assessment/wash_metrics.h"
 
 namespace placode::assessment {
 
@@ -257,6 +258,37 @@ std::optional<Locus> locate_patch(std::string_view metric, const sim::Recording&
     return locus;
 }
 
+/// Where the jet pressed hardest on the placode, where suction held tissue, what is left.
+std::optional<Locus> locate_wash(std::string_view metric, const sim::Recording& recording) {
+    if (metric.substr(0, 5) != "wash_") return std::nullopt;
+    const bool jet = metric.substr(0, 8) == "wash_jet",
+               held = metric.substr(0, 12) == "wash_suction",
+               left = metric == "wash_cleared_percent",
+               placode = metric == "wash_suction_placode_s";
+    Locus locus;
+    const Event* shown = nullptr;
+    for (const Event& e : recording.events) {
+        const bool mine = (jet && e.kind == EventKind::kJetOnPlacode) ||
+                          (held && e.kind == EventKind::kSuctionHeld &&
+                           (!placode || e.tissue == sim::Tissue::kPlacode)) ||
+                          (left && e.kind == EventKind::kDebrisLeft);
+        if (!mine) continue;
+        ++locus.count;
+        if (shown == nullptr || (!left && e.value > shown->value)) shown = &e;
+    }
+    if (jet && shown == nullptr) {
+        shown = irrigation_sum(recording, sim::IrrigationSum::kJet);
+        if (shown == nullptr || shown->value <= 0) return locus;
+        use_event(locus, *shown, false);
+        locus.time_s = -1;  // below the limit it is no moment
+        return locus;
+    }
+    if (shown == nullptr) return locus;
+    use_event(locus, *shown, !left);
+    if (left) locus.time_s = -1;
+    return locus;
+}
+
 /// The bite of a row that a metric speaks of, where it went in or came out.
 std::optional<Locus> locate_bite(std::string_view metric, const sim::Recording& recording) {
     if (metric.substr(0, 5) != "bite_" && metric != "bites_done") return std::nullopt;
@@ -282,6 +314,7 @@ Locus locate(std::string_view metric, double threshold, const sim::Recording& re
     if (const auto found = locate_suture(metric, recording)) return *found;
     if (const auto found = locate_bite(metric, recording)) return *found;
     if (const auto found = locate_patch(metric, recording)) return *found;
+    if (const auto found = locate_wash(metric, recording)) return *found;
     if (const auto found = locate_on_line(metric, recording)) return *found;
     if (metric == "resected_percent" || metric == "marked_gone_percent" || metric == "pieces_out" ||
         metric == "resected_mm3")

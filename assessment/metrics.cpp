@@ -15,6 +15,7 @@
 #include "assessment/suture_metrics.h"
 #include "assessment/tissue_metrics.h"
 #include "assessment/wanted_metrics.h"
+#include "assessment/wash_metrics.h"
 
 namespace placode::assessment {
 
@@ -69,6 +70,7 @@ void add_what_needs_no_track(const sim::Recording& recording, std::vector<Metric
     add_bite_metrics(recording, found);
     add_closure_metrics(recording, found);
     add_patch_metrics(recording, found);
+    add_wash_metrics(recording, found);
 }
 
 /// In the order of the definitions; what is not finite is not known.

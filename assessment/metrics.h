@@ -14,8 +14,9 @@
 
 namespace placode::assessment {
 
-/// 12: a slit under pressure. 13: how hard a thread was drawn. 14: how a patch lies.
-inline constexpr int kMetricSetVersion = 14;
+/// 12: a slit under pressure. 13: how hard a thread was drawn. 14: how a patch lies. 15: how a
+/// field was washed.
+inline constexpr int kMetricSetVersion = 15;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

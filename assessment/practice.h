@@ -37,6 +37,15 @@ struct PatchSight {
     }
 };
 
+/// Fluid and debris over the lesion.
+struct WashSight {
+    double debris = 0, stuck = 0, loose = 0;  ///< At the start; now stuck, and afloat.
+    double standing_m3 = 0;                   ///< Fluid.
+};
+
+/// So little fluid may stand in a field that counts as dry [m3]: planning value.
+inline constexpr double kDryM3 = 2.5e-8;
+
 /// What is there to see in one sample.
 struct PracticeSight {
     const sim::Sample& sample;
@@ -47,6 +56,7 @@ struct PracticeSight {
     NeedleSight needle{};
     double slit_gap_m = -1;             ///< Between the step's marks; -1 where there is no slit.
     const PatchSight* patch = nullptr;  ///< nullptr where there is none.
+    const WashSight* wash = nullptr;    ///< Likewise.
 };
 
 /// The target of a step at rest [m], in the plane: where the step says, or on the clock of the
@@ -98,6 +108,7 @@ class PracticeTracker {
     [[nodiscard]] bool did_bite(const PracticeSight& sight, int tool) noexcept;
     [[nodiscard]] bool eased_off(double slit_gap_m, double pull_n) noexcept;
     [[nodiscard]] bool did_draw(double slit_gap_m, double pull_n) noexcept;
+    [[nodiscard]] bool did_wash(const WashSight* wash) noexcept;
     [[nodiscard]] bool did_patch(const PatchSight* patch, size_t tool) noexcept;
     void close_bin(int tool, double time_s) noexcept;
     void close_traction(double time_s) noexcept;

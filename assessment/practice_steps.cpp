@@ -71,6 +71,10 @@ bool PracticeTracker::did(const PracticeSight& sight) noexcept {
         case PracticeKind::kPatchSpread:
             done = did_patch(sight.patch, i);
             break;
+        case PracticeKind::kWash:
+        case PracticeKind::kSuck:
+            done = did_wash(sight.wash);
+            break;
         case PracticeKind::kRelease:
             done = !sight.holds[i];
             break;
@@ -268,6 +272,20 @@ bool PracticeTracker::did_patch(const PatchSight* patch, size_t tool) noexcept {
     held_s_ = lies ? held_s_ + dt_ : 0;
     progress_ = 0.5 * (laid + std::clamp(1 - patch->folded / 0.2, 0.0, 1.0));
     return lies && held_s_ >= step().hold_s;
+}
+
+/// All debris loosened; nothing afloat and the field dry.
+bool PracticeTracker::did_wash(const WashSight* wash) noexcept {
+    if (wash == nullptr) return true;  // nothing to wash
+    if (step().kind == PracticeKind::kWash) {
+        progress_ = wash->debris > 0 ? 1 - wash->stuck / wash->debris : 1;
+        return wash->stuck == 0;
+    }
+    const bool dry = wash->standing_m3 <= kDryM3 && wash->loose == 0;
+    held_s_ = dry ? held_s_ + dt_ : 0;
+    progress_ = std::clamp(kDryM3 / std::max(kDryM3, wash->standing_m3), 0.0, 1.0);
+    if (wash->loose > 0) progress_ = std::min(progress_, 0.9);
+    return dry && held_s_ >= step().hold_s;
 }
 
 /// Shut for a while, under as much pull as the step wants: edges that only swing together come

@@ -39,6 +39,9 @@ constexpr Prefix kPrefixes[]{
     {"trace_", Theme::kPrecision},
     {"patch_grasps", Theme::kTissue},
     {"patch_", Theme::kPrecision},
+    {"wash_jet", Theme::kTissue},
+    {"wash_suction", Theme::kTissue},
+    {"wash_", Theme::kPrecision},
     {"out_of_view", Theme::kPrecision},
     {"steps_", Theme::kSteps},
 };

@@ -8,6 +8,7 @@
 #include "curriculum/attempt_sample.h"
 #include "curriculum/preset.h"
 #include "sim/cutting/attempt_progress.h"
+#include "sim/fluid/irrigation.h"
 #include "sim/ledger/damage.h"
 #include "sim/step/patch_when_let_go.h"
 #include "sim/step/slit_when_let_go.h"
@@ -113,6 +114,7 @@ void AttemptFrames::close(sim::State& state, AttemptBook& book) noexcept {
         for (const sim::Event& event : sim::reached_events(*scene_, state)) book.write(event);
         for (const sim::Event& event : sim::slit_when_let_go(*scene_, state)) book.write(event);
         for (const sim::Event& event : sim::patch_when_let_go(*scene_, state)) book.write(event);
+        for (const sim::Event& event : sim::irrigation_events(*scene_, state)) book.write(event);
         for (const sim::Event& event : sim::closing_events(*scene_, state)) book.write(event);
     } catch (const std::exception&) {
         // Without memory for it gaps or thermal spread are not known; the attempt is.
@@ -144,6 +146,7 @@ std::vector<sim::Event> AttemptFrames::entries_if_closed(const sim::State& state
     add(sim::reached_events(*scene_, state));
     add(sim::slit_when_let_go(*scene_, state));
     add(sim::patch_when_let_go(*scene_, state));
+    add(sim::irrigation_events(*scene_, state));
     add(sim::spread_events(*scene_, state));
     return all;
 }

@@ -88,6 +88,10 @@ void LiveWarnings::look(const sim::State& state, std::span<const sim::ToolInput>
             state.ledger.tools[i].contact_s > 0)
             say("Placode touched", state.time_s);
     }
+    for (const sim::TipFlow& tip : state.irrigation.tips)
+        if (tip.shut > 0.5F) say("Suction holds tissue", state.time_s);
+    if (state.irrigation.placode_pa > sim::kJetLimitPa)
+        say("Jet presses on the placode", state.time_s);
     for (int i = 0; i < state.event_count; ++i) {
         const char* phrase = phrase_of(state.events[static_cast<size_t>(i)].kind);
         if (phrase != nullptr) say(phrase, state.time_s);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curriculum/wash_watch.h"
 #include "sim/cutting/diathermy.h"
 
 namespace placode::curriculum {
@@ -188,6 +189,15 @@ haptics::Perception OperatorSight::seen(const sim::State& state) const noexcept 
     seen.patch = patch_.middle >= 0;
     for (size_t i = 0; seen.patch && i < patch_.corner.size(); ++i)
         seen.patch_corner_m[i] = position(state.body, patch_.corner[i]);
+    if (scene_.irrigation) {
+        const WashNow wash = look_at_wash(scene_, state);
+        seen.stuck_left = wash.sight.stuck;
+        seen.floating_left = wash.sight.loose;
+        seen.standing_m3 = wash.sight.standing_m3;
+        seen.hidden = state.irrigation.hidden;
+        seen.stuck_m = wash.stuck_m;
+        seen.fluid_m = wash.fluid_m;
+    }
     const sim::Suturing& suturing = state.suturing;
     if (suturing.placed != 0) {
         seen.needle = true;

@@ -77,6 +77,7 @@ int find_patch_targets(const sim::Scene& scene, const sim::State& settled, sim::
 int find_targets(const sim::Scene& scene, const sim::State& settled, const sim::PracticeStep& step,
                  std::array<sim::ContourAnchor, 2>& out) {
     if (sim::is_patch_step(step.kind)) return find_patch_targets(scene, settled, step.kind, out);
+    if (sim::is_wash_step(step.kind)) return 0;  // they change: WashWatch
     int count = 0;
     for (int t = 0; t < sim::targets_of(step.kind); ++t) {
         const Vec2 wanted = assessment::practice_target(step, scene.geometry, t == 1);
@@ -127,6 +128,7 @@ PracticeGuide::PracticeGuide(const std::vector<TaskStep>& steps, const sim::Scen
         if (step.kind != sim::PracticeKind::kPatchLay || patch_.there()) continue;
         patch_ = PatchWatch(scene, step.distance_m);
     }
+    if (scene.irrigation) wash_ = WashWatch(scene);
     goal_.bites = tracker_->bites();
     goal_.count = tracker_->count();
     look(settled);
@@ -150,6 +152,7 @@ void PracticeGuide::look(const sim::State& state) noexcept {
         const auto t = static_cast<size_t>(goal_.targets);
         goal_.target_m[t] = place_of(targets_[step][t], now);
     }
+    if (sim::is_wash_step(goal_.step.kind) && wash_.there()) wash_.show(goal_);
 }
 
 void PracticeGuide::look_at_needle(const sim::State& state,
@@ -177,8 +180,15 @@ std::span<const sim::Event> PracticeGuide::see(const sim::State& state,
     if (!tracker_) return {};
     look(state);
     assessment::PracticeSight sight{
-        sample, {goal_.target_m.data(), static_cast<size_t>(goal_.targets)}, {}, {}, {}, {}, -1,
+        sample, {goal_.target_m.data(), static_cast<size_t>(goal_.targets)},
+        {},     {},
+        {},     {},
+        -1,     nullptr,
         nullptr};
+    if (wash_.there()) {
+        wash_.look(*scene_, state);
+        sight.wash = &wash_.sight();
+    }
     if (patch_.there()) {
         patch_.look(*scene_, state);
         sight.patch = &patch_.sight();

@@ -13,6 +13,7 @@
 #include "assessment/practice.h"
 #include "curriculum/patch_watch.h"
 #include "curriculum/task.h"
+#include "curriculum/wash_watch.h"
 #include "sim/step/step.h"
 
 namespace placode::curriculum {
@@ -45,6 +46,7 @@ class PracticeGuide {
     double needle_arc_m_ = 1;
     const sim::Scene* scene_ = nullptr;
     PatchWatch patch_;
+    WashWatch wash_;
     std::vector<int> station_;  // of a slit, between the marks of every step; -1 = none
     sim::PracticeGoal goal_;
 };

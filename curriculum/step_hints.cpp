@@ -223,6 +223,31 @@ constexpr std::array<ByDevice, sim::kPracticeKinds> kHints{{
        "Puść lewy przycisk; gdzie jest fałda, chwyć znów brzeg i pociągnij go na zewnątrz."},
       {"Open the handle; where a fold is, take its rim again and draw it outwards.",
        "Otwórz uchwyt; gdzie jest fałda, chwyć znów brzeg i pociągnij go na zewnątrz."}}},
+    // kWash
+    {{{"Stay 1 cm above, point the jet beside the ring, hold the left button: water.",
+       "Zostań 1 cm nad polem, skieruj strumień obok pierścienia, przytrzymaj lewy przycisk: "
+       "woda."},
+      {"Stay 1 cm above, point the jet beside the ring, hold X: water.",
+       "Zostań 1 cm nad polem, skieruj strumień obok pierścienia, przytrzymaj X: woda."},
+      {"Stay 1 cm above, point the jet beside the ring, hold A: water.",
+       "Zostań 1 cm nad polem, skieruj strumień obok pierścienia, przytrzymaj A: woda."},
+      {"Stay 1 cm above, point the jet beside the ring, hold the left button: water.",
+       "Zostań 1 cm nad polem, skieruj strumień obok pierścienia, przytrzymaj lewy przycisk: "
+       "woda."},
+      {"Stay 1 cm above, point the jet beside the ring, press the yellow pedal: water.",
+       "Zostań 1 cm nad polem, skieruj strumień obok pierścienia, naciśnij żółty pedał: woda."}}},
+    // kSuck
+    {{{"Down with the wheel into the fluid at the ring, not onto tissue; hold the right button.",
+       "Kółkiem w dół do płynu przy pierścieniu, nie na tkankę; przytrzymaj prawy przycisk."},
+      {"F down into the fluid at the ring, not onto tissue; hold C.",
+       "F w dół do płynu przy pierścieniu, nie na tkankę; przytrzymaj C."},
+      {"Right trigger down into the fluid at the ring, not onto tissue; hold B.",
+       "Prawy spust w dół do płynu przy pierścieniu, nie na tkankę; przytrzymaj B."},
+      {"Push the cap down into the fluid at the ring, not onto tissue; hold the right button.",
+       "Popchnij gałkę w dół do płynu przy pierścieniu, nie na tkankę; przytrzymaj prawy "
+       "przycisk."},
+      {"Down into the fluid at the ring, not onto tissue; press the blue pedal.",
+       "W dół do płynu przy pierścieniu, nie na tkankę; naciśnij niebieski pedał."}}},
 }};
 
 // The scope has devices of its own.

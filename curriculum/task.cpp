@@ -70,10 +70,11 @@ assessment::Rubric read_rubric(const Json& json, const std::string& origin) {
 constexpr std::string_view kHoldMark = "{hold_s}";
 
 constexpr std::array<const char*, sim::kPracticeKinds> kStepKinds{
-    "move",        "depth",      "turn",       "touch",       "cut",
-    "coag",        "grasp",      "release",    "trace",       "traction",
-    "withdraw",    "needle_in",  "needle_out", "needle_take", "needle_through",
-    "thread_draw", "patch_take", "patch_lay",  "patch_spread"};
+    "move",        "depth",      "turn",       "touch",        "cut",
+    "coag",        "grasp",      "release",    "trace",        "traction",
+    "withdraw",    "needle_in",  "needle_out", "needle_take",  "needle_through",
+    "thread_draw", "patch_take", "patch_lay",  "patch_spread", "wash",
+    "suck"};
 
 /// "{hold_s}" in a step's text is the number that the step asks for: no text can promise another.
 void fill_hold(std::string& text, double hold_s, char decimal_sign) {
@@ -90,7 +91,7 @@ void read_places(const Json& json, const std::string& origin, const std::string&
     if (!json.contains("places_m")) return;
     const Json& places = json["places_m"];
     const auto wanted =
-        static_cast<size_t>(sim::is_patch_step(goal.kind) ? 0 : sim::targets_of(goal.kind));
+        static_cast<size_t>(sim::finds_targets(goal.kind) ? 0 : sim::targets_of(goal.kind));
     if (places.size() != wanted)
         throw DefinitionError(origin, pointer + "/places_m",
                               "found " + std::to_string(places.size()) + " places; expected " +

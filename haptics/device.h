@@ -101,6 +101,10 @@ struct Perception {
     std::array<Vec3, 4> patch_corner_m{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
                                        Vec3::Zero()};  ///< Its corners, round it.
     sim::PracticeGoal practice;  ///< Steps of a practice task: what to do now, and where.
+    double stuck_left = 0, floating_left = 0;  ///< Debris on the lesion, and in the fluid.
+    double standing_m3 = 0;                    ///< Fluid over it, as far as one can judge that.
+    double hidden = 0;                         ///< Share of the lesion that blood hides.
+    Vec3 stuck_m = Vec3::Zero(), fluid_m = Vec3::Zero();  ///< Next debris; deepest fluid.
 };
 
 /// Settings of `open_device`, from command line, station and task.

@@ -232,7 +232,7 @@ AskedPlaces asked_places(const sim::Recording& recording) {
     for (size_t i = 0; i < steps.size(); ++i) {
         const sim::PracticeStep& goal = steps[i].goal;
         asked.line = asked.line || goal.kind == sim::PracticeKind::kTrace;
-        const int places = sim::is_patch_step(goal.kind) ? 0 : sim::targets_of(goal.kind);
+        const int places = sim::finds_targets(goal.kind) ? 0 : sim::targets_of(goal.kind);
         for (int k = 0; k < places; ++k)
             asked.places.push_back(
                 {assessment::practice_target(goal, recording.header.geometry, k == 1),

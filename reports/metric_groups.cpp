@@ -71,6 +71,8 @@ constexpr Rule kRules[]{
     {"trace_", MetricGroup::kPractice},
     {"traction_held", MetricGroup::kPractice},
     {"patch_", MetricGroup::kPractice},
+    {"wash_jet", MetricGroup::kPlacode},
+    {"wash_", MetricGroup::kPractice},
     {"bite_", MetricGroup::kSuture},
     {"slit_", MetricGroup::kSuture},
     {"bites_", MetricGroup::kSuture},

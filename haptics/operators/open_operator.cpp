@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/operators/irrigate_operator.h"
 #include "haptics/operators/lift_operator.h"
 #include "haptics/operators/operator_model.h"
 #include "haptics/operators/patch_operator.h"
@@ -57,6 +58,10 @@ std::unique_ptr<ScriptedOperator> open_operator(const DeviceConfig& config, Oper
         if (config.tools[i].kind == sim::ToolKind::kNeedleDriver)
             return std::make_unique<SutureOperator>(level, config.seed, i, config.tools[i],
                                                     homes_m[i]);
+    for (size_t i = 0; i < config.tools.size(); ++i)
+        if (config.tools[i].kind == sim::ToolKind::kIrrigator)
+            return std::make_unique<IrrigateOperator>(level, config.seed, i, config.tools[i],
+                                                      homes_m[i]);
     if (config.patch && tools.grasper >= 0) {
         const auto grasper = static_cast<size_t>(tools.grasper);
         return std::make_unique<PatchOperator>(level, config.seed, grasper, homes_m[grasper]);

@@ -323,6 +323,8 @@ void PracticeOperator::do_step(double dt_s) noexcept {
             case PracticeKind::kPatchTake:  // a patch has an operator of its own
             case PracticeKind::kPatchLay:
             case PracticeKind::kPatchSpread:
+            case PracticeKind::kWash:  // and so has irrigation
+            case PracticeKind::kSuck:
             case PracticeKind::kNeedleIn:  // and so have sutures
             case PracticeKind::kNeedleOut:
             case PracticeKind::kNeedleTake:

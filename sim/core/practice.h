@@ -32,9 +32,11 @@ enum class PracticeKind : uint8_t {
     kThreadDraw,     ///< The thread is drawn until a slit is shut between the marks.
     kPatchTake,      ///< Jaws take the patch.
     kPatchLay,       ///< It lies so that it reaches `distance_m` beyond the placode's edge.
-    kPatchSpread     ///< Nobody holds it, it lies so, and flat, for `hold_s`.
+    kPatchSpread,    ///< Nobody holds it, it lies so, and flat, for `hold_s`.
+    kWash,           ///< The jet has loosened all debris.
+    kSuck            ///< Nothing floats any more and the field is dry, for `hold_s`.
 };
-inline constexpr int kPracticeKinds = 19;
+inline constexpr int kPracticeKinds = 21;
 inline constexpr int kMaxPracticeSteps = 24;
 inline constexpr int kTraceBins = 72;  ///< Of the planned contour, by arc length.
 
@@ -80,6 +82,16 @@ struct PracticeGoal {
            kind == PracticeKind::kPatchSpread;
 }
 
+/// Its target is the next debris or the deepest fluid.
+[[nodiscard]] constexpr bool is_wash_step(PracticeKind kind) noexcept {
+    return kind == PracticeKind::kWash || kind == PracticeKind::kSuck;
+}
+
+/// Its targets are found while it is done; a task names no places for it.
+[[nodiscard]] constexpr bool finds_targets(PracticeKind kind) noexcept {
+    return is_patch_step(kind) || is_wash_step(kind);
+}
+
 /// Places that the picture shows for a step.
 [[nodiscard]] constexpr int targets_of(PracticeKind kind) noexcept {
     switch (kind) {
@@ -88,6 +100,8 @@ struct PracticeGoal {
         case PracticeKind::kCoag:
         case PracticeKind::kGrasp:
         case PracticeKind::kPatchTake:
+        case PracticeKind::kWash:
+        case PracticeKind::kSuck:
             return 1;
         case PracticeKind::kTraction:
         case PracticeKind::kNeedleIn:

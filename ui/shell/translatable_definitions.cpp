@@ -283,6 +283,26 @@ namespace {
                       "more than 60 degrees away from the rest of it, hands off."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Times that jaws closed on the patch, or on tissue instead of it."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Highest pressure of the jet on the placode: 1/2 rho v^2, less with "
+                      "distance, beside its axis and aslant."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Time in which the jet pressed on the placode with more than 500 Pa."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Share of the crumbs of char and spots of blood that are out of the field at the end."),
+    QT_TRANSLATE_NOOP("MetricDefinition", "Fluid that stands more than 0.2 mm deep at the end."),
+    QT_TRANSLATE_NOOP("MetricDefinition", "What the jet has given."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Light that blood in the standing fluid takes, mean over the lesion, at the end."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Time in which blood in the standing fluid hid more than 30 % of the lesion."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Time in which tissue took more than half of the suction."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Time in which the placode took more than half of the suction."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that the needle slid or turned in the jaws."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that jaws took the needle after the first."),
     QT_TRANSLATE_NOOP("MetricDefinition",

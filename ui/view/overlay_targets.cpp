@@ -36,7 +36,7 @@ std::string_view pedal_words(haptics::HintDevice device, bool cut) {
 void Overlay::exam_targets() {
     if (!practising()) return;
     const PracticeGoal& goal = state_->practice.goal;
-    const bool places = targets_of(goal.step.kind) > 0 && !is_patch_step(goal.step.kind);
+    const bool places = targets_of(goal.step.kind) > 0 && !finds_targets(goal.step.kind);
     if (goal.index < goal.count && places) targets();
 }
 
@@ -44,6 +44,7 @@ void Overlay::targets() {
     const PracticeGoal& goal = state_->practice.goal;
     const bool both = goal.step.kind == PracticeKind::kTraction;
     // The needle's point has to come there, not the driver's tip.
+    const bool wash = is_wash_step(goal.step.kind);
     const bool needle =
         goal.step.kind == PracticeKind::kNeedleIn || goal.step.kind == PracticeKind::kNeedleOut;
     if (needle && goal.bites > 1 && goal.targets == 2 && snapshot_->slit == 0) suture_line();
@@ -55,7 +56,7 @@ void Overlay::targets() {
         const Vec3 away =
             tool < 0 ? Vec3(Vec3::Zero())
                      : Vec3(1000 * snapshot_->tools[static_cast<size_t>(tool)].pose.p - mm);
-        const bool above = !state_->exam && !needle && tool >= 0 &&
+        const bool above = !state_->exam && !needle && !wash && tool >= 0 &&
                            away.head<2>().norm() <= 1000 * goal.step.tolerance_m;
         double radius = 0.7 * unit_;
         if (place_of(mm + 1000 * goal.step.tolerance_m * camera_->right, side))
@@ -70,6 +71,11 @@ void Overlay::targets() {
         labels_.push_back({px.x() - radius, px.y() - radius, 2 * radius, 2 * radius});
         if (needle)
             label(px + Vec2(0, radius + 1.5 * unit_), say(t == 0 ? "needle in" : "needle out"),
+                  kText);
+        else if (wash)
+            label(px + Vec2(0, radius + 1.5 * unit_),
+                  phrase(goal.step.kind == PracticeKind::kWash ? "washed off: %1" : "dry: %1",
+                         amount_text()),
                   kText);
         else if (tool >= 0 && !state_->exam)
             target_text(tool, px, radius, away, above);

@@ -33,7 +33,10 @@ Symbols with_mouse(PracticeKind kind, bool scope) {
         case PracticeKind::kCut:
             return {down, left};
         case PracticeKind::kCoag:
+        case PracticeKind::kSuck:
             return {down, {Thing::kMouseRight, Act::kPress}};
+        case PracticeKind::kWash:
+            return {move, left};
         case PracticeKind::kGrasp:
             return {down, left};
         case PracticeKind::kRelease:
@@ -81,7 +84,10 @@ Symbols with_keyboard(PracticeKind kind, bool scope) {
         case PracticeKind::kCut:
             return {key("F"), key("X")};
         case PracticeKind::kCoag:
+        case PracticeKind::kSuck:
             return {key("F"), key("C")};
+        case PracticeKind::kWash:
+            return {key("W"), key("A"), key("S"), key("D"), key("X")};
         case PracticeKind::kGrasp:
             return {key("F"), key("X")};
         case PracticeKind::kRelease:
@@ -130,7 +136,10 @@ Symbols with_gamepad(PracticeKind kind) {
         case PracticeKind::kCut:
             return {key("RT"), key("A")};
         case PracticeKind::kCoag:
+        case PracticeKind::kSuck:
             return {key("RT"), key("B")};
+        case PracticeKind::kWash:
+            return {stick, key("A")};
         case PracticeKind::kGrasp:
             return {key("RT"), key("A")};
         case PracticeKind::kRelease:
@@ -176,7 +185,10 @@ Symbols with_grip(PracticeKind kind, Thing grip, HintSymbol close) {
         case PracticeKind::kCut:
             return {in, {Thing::kYellowPedal, Act::kPress}};
         case PracticeKind::kCoag:
+        case PracticeKind::kSuck:
             return {in, {Thing::kBluePedal, Act::kPress}};
+        case PracticeKind::kWash:
+            return {move, {Thing::kYellowPedal, Act::kPress}};
         case PracticeKind::kGrasp:
             return {in, close};
         case PracticeKind::kRelease:

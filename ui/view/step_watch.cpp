@@ -52,6 +52,8 @@ StepAmount step_amount(const PracticeGoal& goal) {
         case PracticeKind::kTrace:
             return {100 * share, 100, 0, " %"};
         case PracticeKind::kPatchLay:
+        case PracticeKind::kWash:
+        case PracticeKind::kSuck:
             return {100 * share, 100, 0, " %"};
         case PracticeKind::kTouch:
         case PracticeKind::kCut:

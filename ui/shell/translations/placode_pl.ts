@@ -1898,6 +1898,10 @@
         <translation>fetoskop</translation>
     </message>
     <message>
+        <source>irrigator</source>
+        <translation>irygator</translation>
+    </message>
+    <message>
         <source>needle driver</source>
         <translation>imadło</translation>
     </message>
@@ -3153,6 +3157,42 @@
         <source>Placode removed or torn</source>
         <translation>Płytka usunięta lub rozerwana</translation>
     </message>
+    <message>
+        <source>Jet on the placode, highest pressure</source>
+        <translation>Strumień na płytkę, najwyższe ciśnienie</translation>
+    </message>
+    <message>
+        <source>Jet on the placode, above 500 Pa</source>
+        <translation>Strumień na płytkę, ponad 500 Pa</translation>
+    </message>
+    <message>
+        <source>Crumbs and blood washed off</source>
+        <translation>Spłukane okruchy i krew</translation>
+    </message>
+    <message>
+        <source>Fluid left standing</source>
+        <translation>Pozostały płyn</translation>
+    </message>
+    <message>
+        <source>Fluid used</source>
+        <translation>Zużyty płyn</translation>
+    </message>
+    <message>
+        <source>Lesion hidden by blood, at the end</source>
+        <translation>Zmiana zasłonięta krwią, na końcu</translation>
+    </message>
+    <message>
+        <source>Time with the lesion hidden</source>
+        <translation>Czas z zasłoniętą zmianą</translation>
+    </message>
+    <message>
+        <source>Suction on tissue</source>
+        <translation>Ssak na tkance</translation>
+    </message>
+    <message>
+        <source>Suction on the placode</source>
+        <translation>Ssak na płytce</translation>
+    </message>
 </context>
 <context>
     <name>MetricWords</name>
@@ -3742,6 +3782,42 @@
     <message>
         <source>Stretches of the planned contour without a point that is cut.</source>
         <translation>Odcinki planowanej linii bez przeciętego punktu.</translation>
+    </message>
+    <message>
+        <source>Highest pressure of the jet on the placode: 1/2 rho v^2, less with distance, beside its axis and aslant.</source>
+        <translation>Najwyższe ciśnienie strumienia na płytkę: 1/2 rho v^2, mniejsze z odległością, obok osi i na ukos.</translation>
+    </message>
+    <message>
+        <source>Time in which the jet pressed on the placode with more than 500 Pa.</source>
+        <translation>Czas, w którym strumień uciskał płytkę ciśnieniem ponad 500 Pa.</translation>
+    </message>
+    <message>
+        <source>Share of the crumbs of char and spots of blood that are out of the field at the end.</source>
+        <translation>Część okruchów zwęglenia i plamek krwi, których na końcu nie ma już w polu.</translation>
+    </message>
+    <message>
+        <source>Fluid that stands more than 0.2 mm deep at the end.</source>
+        <translation>Płyn, który na końcu stoi głębiej niż 0,2 mm.</translation>
+    </message>
+    <message>
+        <source>What the jet has given.</source>
+        <translation>Ile płynu podał strumień.</translation>
+    </message>
+    <message>
+        <source>Light that blood in the standing fluid takes, mean over the lesion, at the end.</source>
+        <translation>Światło, które zabiera krew w stojącym płynie, średnio nad zmianą, na końcu.</translation>
+    </message>
+    <message>
+        <source>Time in which blood in the standing fluid hid more than 30 % of the lesion.</source>
+        <translation>Czas, w którym krew w stojącym płynie zasłaniała ponad 30 % zmiany.</translation>
+    </message>
+    <message>
+        <source>Time in which tissue took more than half of the suction.</source>
+        <translation>Czas, w którym tkanka przejmowała ponad połowę ssania.</translation>
+    </message>
+    <message>
+        <source>Time in which the placode took more than half of the suction.</source>
+        <translation>Czas, w którym płytka przejmowała ponad połowę ssania.</translation>
     </message>
 </context>
 <context>
