@@ -15,6 +15,8 @@ install(FILES packaging/completion.bash RENAME placodectl
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(PROGRAMS packaging/scheduled-backup packaging/shared-station DESTINATION lib/placode)
 install(FILES packaging/placode-backup.service packaging/placode-backup.timer DESTINATION lib/systemd/user)
+install(FILES packaging/placode-server-backup.service packaging/placode-server-backup.timer
+        DESTINATION lib/systemd/system)
 install(PROGRAMS examples/check_seal.py DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode/examples)
 install(FILES README.md CHANGELOG.md docs/web.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode)
 # Where they work: only a package for the whole system has them.

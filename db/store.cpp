@@ -15,6 +15,7 @@
 #include "db/foreign_store.h"
 #include "db/password.h"
 #include "db/schema.h"
+#include "db/server_dump.h"
 #include "db/sqlite_file.h"
 #include "db/station_guard.h"
 #include "db/station_role.h"
@@ -239,22 +240,31 @@ void Store::backup(const std::string& path) {
     Connection& connection = context_->connection;
     connection.begin_operation("back up");
     context_->need(Action::kBackup);
-    if (!connection.is_sqlite())
-        connection.fail(StoreError::Kind::kRefused,
-                        Said::that("a PostgreSQL store is backed up on its server, with pg_dump"));
+    if (!connection.is_sqlite()) need_owner_of_tables(*context_);
     for (const std::string& file : {path, head_file_of(path)})
         if (std::filesystem::exists(file))
             connection.fail(
                 StoreError::Kind::kConflict,
                 Said::that("%1 exists and is not overwritten; give another name").with(file));
+    if (!connection.is_sqlite())
+        if (const auto problems = check(); !problems.empty())
+            connection.fail(
+                StoreError::Kind::kDamaged,
+                "it does not pass its check (" + problems.front() + "), and no copy was made");
+    connection.begin_operation("back up");
     // First, so that an erasure knows of it whenever this is killed.
     UnitOfWork work(connection);
     context_->append_audit("store.backup", path, "");
     work.commit();
     TrailHead head;
-    keep_checked_copy(*context_, path, [this, &head](const std::string& copy) {
-        return first_problem(copy, context_->options, &head);
-    });
+    if (connection.is_sqlite()) {
+        keep_checked_copy(*context_, path, [this, &head](const std::string& copy) {
+            return first_problem(copy, context_->options, &head);
+        });
+    } else {
+        head = dump_store(*context_, path);
+        context_->sign_head(head);
+    }
     // A computer that cannot keep a key signs nothing.
     if (head.station.empty()) return;
     try {

@@ -109,7 +109,9 @@ TEST_F(Install, TheDesktopFindsItsFiles) {
          {"share/icons/hicolor/scalable/apps/placode.svg", "lib/udev/rules.d/70-placode.rules",
           "share/metainfo/org.placode.Placode.metainfo.xml", "share/doc/placode/copyright",
           "share/doc/placode/examples/check_seal.py", "lib/systemd/user/placode-backup.timer",
-          "lib/systemd/user/placode-backup.service"})
+          "lib/systemd/user/placode-backup.service",
+          "lib/systemd/system/placode-server-backup.timer",
+          "lib/systemd/system/placode-server-backup.service"})
         EXPECT_TRUE(fs::exists(there(path))) << path;
     EXPECT_THAT(read_text(there("lib/systemd/user/placode-backup.service")),
                 HasSubstr("ExecStart=/usr/lib/placode/scheduled-backup"));

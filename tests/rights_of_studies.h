@@ -195,7 +195,7 @@ inline std::vector<Method> methods_of_the_store() {
          {},
          [](Call& c) { c.store.backup(c.file); },
          false,
-         true},  // PostgreSQL has its own.
+         true},  // A station is not the owner of the tables.
         {"store.move_to",
          {{Action::kBackup}},
          {},

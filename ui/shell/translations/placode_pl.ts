@@ -10677,8 +10677,12 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>ośrodek "%1" z kluczem %2 nie jest tu zaufany</translation>
     </message>
     <message>
-        <source>a PostgreSQL store is backed up on its server, with pg_dump</source>
-        <translation>kopię bazy PostgreSQL robi się na jej serwerze, programem pg_dump</translation>
+        <source>%1 is not installed on this computer; install the package postgresql-client</source>
+        <translation>na tym komputerze nie ma programu %1; zainstaluj pakiet postgresql-client</translation>
+    </message>
+    <message>
+        <source>a backup of a server needs the log-in of the tables' owner, %1; a station sees only what people may see</source>
+        <translation>kopia serwera wymaga loginu właściciela tabel, %1; stanowisko widzi tylko to, co wolno widzieć ludziom</translation>
     </message>
     <message>
         <source>%1 exists and is not overwritten; give another name</source>
