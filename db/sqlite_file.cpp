@@ -30,6 +30,14 @@ constexpr const char* kRestore =
     throw StoreError(kind, operation + " sqlite:" + path + ": " + problem);
 }
 
+void try_sync_folder_of(const fs::path& path) noexcept {
+    try {
+        sync_folder_of(path.string());
+    } catch (const std::exception&) {
+        // A folder that may be searched and not read; what is written tells of a disk that fails.
+    }
+}
+
 void create_folders(const fs::path& folder, const std::string& operation, const std::string& path) {
     if (folder.empty() || fs::exists(folder)) return;
     create_folders(folder.parent_path(), operation, path);
@@ -37,6 +45,8 @@ void create_folders(const fs::path& folder, const std::string& operation, const 
         fail(Kind::kUnavailable, operation, path,
              "cannot create the folder " + folder.string() + " (" + std::strerror(errno) +
                  "); choose another place with --store");
+    // Its name is in the folder above, and with it the way to all that will be written there.
+    try_sync_folder_of(folder);
 }
 
 // Reads the first bytes through SQLite's own file layer: opening and closing the file any other way
@@ -136,7 +146,9 @@ void mark_store(const std::string& path) noexcept {
     if (file < 0) return;  // It is there, or nobody may write here.
     // The name counts; the text is for people.
     [[maybe_unused]] const ssize_t written = ::write(file, kMarkText, std::strlen(kMarkText));
+    ::fsync(file);
     ::close(file);
+    try_sync_folder_of(mark_of_store(path));
 }
 
 void need_known_store(const std::string& path, bool known, const std::string& operation) {

@@ -7,6 +7,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include "tests/durable_store.h"
 
 using namespace placode;
@@ -63,6 +65,20 @@ TEST_F(DurableFile, ARestoreIsOnTheDiskBeforeItCounts) {
     ASSERT_LT(named, exchanged);
     EXPECT_EQ(whole.log[named - 1], "fsync " + path + ".restoring");
     EXPECT_EQ(whole.log[exchanged + 1], "fsync " + folder->path().string());
+}
+
+// A name is in the folder above it: a power cut must not take new folders and the mark away.
+TEST_F(DurableFile, NewFoldersAndTheMarkAreOnTheDisk) {
+    const auto deep = [this] { return folder->file("new/below/placode.db"); };
+    const TracedRun whole = run({}, [&] {
+        const auto store = db::open_store("sqlite:" + deep());
+        store->accounts().create({"ada", "Ada", "correct horse battery", 8, false});
+    });
+    ASSERT_EQ(whole.exit_status, 0);
+    for (const std::string& name : {folder->path().string(), folder->file("new"), deep() + ".known",
+                                    folder->file("new/below")})
+        EXPECT_GT(std::count(whole.log.begin(), whole.log.end(), "fsync " + name), 0)
+            << name << testing::PrintToString(whole.log);
 }
 
 TEST_F(DurableFile, ARestoreWhereNoStoreIsKilledAnywhereIsNoFirstStart) {
