@@ -264,6 +264,7 @@ std::optional<Locus> locate_wash(std::string_view metric, const sim::Recording& 
     const bool jet = metric.substr(0, 8) == "wash_jet",
                held = metric.substr(0, 12) == "wash_suction",
                left = metric == "wash_cleared_percent",
+               fluid = metric.substr(0, 10) == "wash_fluid",
                placode = metric == "wash_suction_placode_s";
     Locus locus;
     const Event* shown = nullptr;
@@ -276,14 +277,17 @@ std::optional<Locus> locate_wash(std::string_view metric, const sim::Recording& 
         ++locus.count;
         if (shown == nullptr || (!left && e.value > shown->value)) shown = &e;
     }
-    if (jet && shown == nullptr) {
-        shown = irrigation_sum(recording, sim::IrrigationSum::kJet);
-        if (shown == nullptr || shown->value <= 0) return locus;
-        use_event(locus, *shown, false);
-        locus.time_s = -1;  // below the limit it is no moment
+    if (shown == nullptr) {
+        // Told by its sum alone, at the end.
+        using Sum = sim::IrrigationSum;
+        const Event* sum = irrigation_sum(recording, jet     ? Sum::kJet
+                                                     : held  ? Sum::kSuction
+                                                     : left  ? Sum::kDebris
+                                                     : fluid ? Sum::kFluid
+                                                             : Sum::kView);
+        if (sum != nullptr) use_event(locus, *sum, false);
         return locus;
     }
-    if (shown == nullptr) return locus;
     use_event(locus, *shown, !left);
     if (left) locus.time_s = -1;
     return locus;
