@@ -143,6 +143,35 @@ std::vector<EmbeddedSql> embedded_migrations() {
   target_sources(${target} PRIVATE ${out})
 endfunction()
 
+# placode_embed_definitions(TARGET FOLDER): the texts of FOLDER/{tasks,scenes,courses,questionnaires} become one
+# generated source that defines placode::curriculum::embedded_definitions() (declared in
+# curriculum/shipped_definitions.h): what the program vouches for, whatever folder it is told to read.
+function(placode_embed_definitions target folder)
+  set(body)
+  foreach(kind tasks scenes courses questionnaires)
+    file(GLOB definitions CONFIGURE_DEPENDS ${folder}/${kind}/*.json)
+    foreach(file IN LISTS definitions)
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+      get_filename_component(id ${file} NAME_WE)
+      file(READ ${file} text)
+      string(APPEND body "        {\"${kind}\", \"${id}\", R\"~json~(${text})~json~\"},\n")
+    endforeach()
+  endforeach()
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/embedded_definitions.cpp)
+  file(CONFIGURE OUTPUT ${out} @ONLY CONTENT
+"// Generated from ${folder} by cmake/compiler.cmake.
+#include \"curriculum/shipped_definitions.h\"
+namespace placode::curriculum {
+std::span<const EmbeddedDefinition> embedded_definitions() noexcept {
+    static constexpr EmbeddedDefinition kAll[]{
+@body@    };
+    return kAll;
+}
+}  // namespace placode::curriculum
+")
+  target_sources(${target} PRIVATE ${out})
+endfunction()
+
 # placode_embed_shaders(TARGET FOLDER): every .glsl becomes text of one generated source that defines
 # placode::view::shader_text(name) (declared in ui/view/gl_program.h).
 function(placode_embed_shaders target folder)

@@ -21,6 +21,17 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] std::filesystem::path find_definition(const std::string& kind,
                                                     const std::string& id_or_file);
 
+struct NamedDefinition {
+    std::filesystem::path file;
+    std::string text;
+};
+/// What the text at `origin` names: from the data folder or, as find_definition(), by a path that
+/// is meant from that file; where `origin` is the program's own, from within the program. Throws
+/// DefinitionError.
+[[nodiscard]] NamedDefinition named_definition(const std::string& kind,
+                                               const std::string& id_or_file,
+                                               const std::string& origin);
+
 /// Parses; a syntax error becomes a DefinitionError with line and column.
 [[nodiscard]] Json parse_json(const std::string& text, const std::string& origin);
 

@@ -37,26 +37,22 @@ class Extension {
     }
 
     Json base(const std::string& id_or_file) {
-        fs::path file;
-        std::string text;
+        NamedDefinition found;
         try {
-            file = find_definition("scenes", id_or_file);
-            // A path is meant from the file that names it.
-            if (file.is_relative()) file = fs::path(origin_).parent_path() / file;
-            text = read_definition(file);
+            found = named_definition("scenes", id_or_file, origin_);
         } catch (const DefinitionError& error) {
             fail("/extends", error.what());
         }
         std::error_code problem;
-        const fs::path place = fs::weakly_canonical(file, problem);
+        const fs::path place = fs::weakly_canonical(found.file, problem);
         if (std::find(files_.begin(), files_.end(), place) != files_.end())
             fail("/extends", "\"" + id_or_file +
                                  "\" extends this scene in turn; expected a scene that stands at "
                                  "the end without another");
-        Extension below(file.string(), "");
+        Extension below(found.file.string(), "");
         below.files_ = files_;
         below.files_.push_back(place);
-        return below.whole(parse_json(text, file.string()));
+        return below.whole(parse_json(found.text, found.file.string()));
     }
 
     std::string origin_, prefix_;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "curriculum/json_reader.h"
+#include "curriculum/shipped_definitions.h"
 #include "sim/core/near_word.h"
 #include "sim/core/number_text.h"
 
@@ -145,8 +146,10 @@ TaskStep read_task_step(const Json& json, const std::string& origin, const std::
 Json resolve_scene(const Json& task, const std::string& origin) {
     Json scene;
     if (task["scene"].is_string()) {
-        const std::filesystem::path file = find_definition("scenes", task["scene"]);
-        scene = whole_scene(parse_json(read_definition(file), file.string()), file.string());
+        const bool own = origin.starts_with(kProgramOrigin);
+        const NamedDefinition named =
+            named_definition("scenes", task["scene"], own ? origin : std::string());
+        scene = whole_scene(parse_json(named.text, named.file.string()), named.file.string());
     } else {
         scene = whole_scene(task["scene"], origin, "/scene");
     }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <set>
 
+#include "curriculum/shipped_definitions.h"
 #include "db/attempt_counting.h"
 #include "db/said.h"
+#include "sim/core/near_word.h"
 
 namespace placode::db {
 
@@ -61,7 +63,18 @@ CourseStanding standing_in(Store& store, int64_t user_id, const AssignmentRecord
 Course find_course(Store& store, const std::string& course_id, int version) {
     if (const auto published = store.definitions().find("course", course_id, version))
         return curriculum::load_course_text(published->json, "course " + course_id);
-    Course shipped = curriculum::load_course(course_id);
+    const auto text = curriculum::shipped_text("courses", course_id);
+    if (!text) {
+        const std::vector<std::string> known = course_ids(store);
+        std::string list;
+        for (const std::string& id : known) list += (list.empty() ? "" : ", ") + id;
+        throw curriculum::DefinitionError(
+            "course " + course_id, "",
+            "is neither published here nor one of the program's own (" + list +
+                "); an educator publishes it: `placodectl course publish FILE`" +
+                sim::did_you_mean(course_id, known));
+    }
+    Course shipped = curriculum::load_course_text(*text, "course " + course_id);
     if (version != 0 && shipped.version != version)
         throw curriculum::DefinitionError("course " + course_id, "",
                                           "version " + std::to_string(version) +
@@ -73,7 +86,7 @@ Course find_course(Store& store, const std::string& course_id, int version) {
 std::vector<std::string> course_ids(Store& store) {
     std::set<std::string> ids;
     for (const auto& each : store.definitions().list("course")) ids.insert(each.id);
-    for (const auto& each : curriculum::list_definitions("courses")) ids.insert(each);
+    for (const auto& each : curriculum::shipped_ids("courses")) ids.insert(each);
     return {ids.begin(), ids.end()};
 }
 

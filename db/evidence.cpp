@@ -9,6 +9,7 @@
 #include "assessment/soundness.h"
 #include "curriculum/attempt_runner.h"
 #include "curriculum/preset.h"
+#include "curriculum/shipped_definitions.h"
 #include "db/rescore.h"
 #include "db/standards.h"
 
@@ -61,11 +62,7 @@ const char* replay_name(ReplayState state) noexcept {
     return kNames[static_cast<size_t>(state) % kNames.size()];
 }
 
-std::optional<Task> shipped_task(const std::string& id) {
-    const auto ids = curriculum::list_definitions("tasks");
-    if (std::find(ids.begin(), ids.end(), id) == ids.end()) return std::nullopt;
-    return curriculum::load_task(id);
-}
+std::optional<Task> shipped_task(const std::string& id) { return curriculum::shipped_task(id); }
 
 std::optional<Task> published_task(Store& store, const std::string& id, int version) {
     if (version < 0) return std::nullopt;

@@ -17,7 +17,8 @@
 
 namespace placode::db {
 
-/// The task of that id and version as it was published: by the store, else by the program.
+/// The task of that id and version as it was published: by the store, else by the program
+/// (curriculum/shipped_definitions.h), never by a folder.
 /// @param version 0 = the newest that the store keeps. @param id never a path.
 [[nodiscard]] std::optional<curriculum::Task> published_task(Store& store, const std::string& id,
                                                              int version);
@@ -25,7 +26,8 @@ namespace placode::db {
 /// "not replayed", "waiting", "identical", "differs".
 [[nodiscard]] const char* replay_name(ReplayState state) noexcept;
 
-/// The program's own task of that id, whatever its version; nullopt: it has none.
+/// The program's own task of that id (curriculum/shipped_definitions.h), whatever its version;
+/// nullopt: it has none.
 [[nodiscard]] std::optional<curriculum::Task> shipped_task(const std::string& id);
 
 /// How the recording's task compares with the published one.

@@ -10,6 +10,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include "curriculum/course.h"
+#include "curriculum/questionnaire.h"
+#include "curriculum/shipped_definitions.h"
 #include "db/attempt_counting.h"
 #include "db/course_conduct.h"
 #include "db/recording_file.h"
@@ -336,6 +339,117 @@ TEST_F(Evidence, WhatAnotherProcessorRecordedWaitsAndIsNotCalledForged) {
     EXPECT_EQ(record(id).replay, db::ReplayState::kWaiting);
     EXPECT_EQ(record(id).void_reason, "");
     EXPECT_FALSE(mastered(anna));
+}
+
+/// Data folder of somebody's own for as long as this lives.
+class OwnData {
+ public:
+    explicit OwnData(const TemporaryFolder& folder) : path_(folder.file("mine")) {
+        fs::copy(curriculum::data_folder(), path_, fs::copy_options::recursive);
+        ::setenv("PLACODE_DATA", path_.c_str(), 1);
+    }
+    ~OwnData() { ::unsetenv("PLACODE_DATA"); }
+    OwnData(const OwnData&) = delete;
+    OwnData& operator=(const OwnData&) = delete;
+
+    /// Changes a definition in it; its text then.
+    template <class Change>
+    nlohmann::json change(const std::string& name, Change change) {
+        const std::string file = path_ + "/" + name + ".json";
+        std::ifstream in(file);
+        nlohmann::json json = nlohmann::json::parse(in);
+        change(json);
+        fs::remove(file);
+        std::ofstream(file) << json.dump();
+        return json;
+    }
+
+ private:
+    std::string path_;
+};
+
+db::DefinitionRecord definition_of(const std::string& kind, const std::string& id, int version,
+                                   const std::string& json) {
+    db::DefinitionRecord definition;
+    definition.kind = kind;
+    definition.id = id;
+    definition.version = version;
+    definition.json = json;
+    definition.reason = "mine";
+    return definition;
+}
+
+TEST_F(Evidence, NobodyMakesATaskOfficialByPuttingItIntoAFolder) {
+    OwnData mine(folder);
+    for (const int version : {curriculum::load_task(kTask).version, 999}) {
+        SCOPED_TRACE(version);
+        // Whatever is done passes.
+        mine.change(std::string("tasks/") + kTask, [version](nlohmann::json& task) {
+            task["version"] = version;
+            task["rubric"]["pass_points"] = 1;
+        });
+        const curriculum::Task own = curriculum::load_task(kTask);
+        Recording recording = honest_attempt();
+        recording.header.task_version = version;
+        recording.header.task_json = own.json;
+        recording.header.started_utc = "2026-02-01T00:00:0" + std::to_string(version % 10) + "Z";
+        {
+            const auto trainee = db::open_store(store->url());
+            trainee->act_for(anna);
+            db::publish_task_on_first_use(*trainee, kTask, version);
+            EXPECT_THROW(
+                trainee->definitions().publish(definition_of("task", kTask, version, own.json)),
+                db::StoreError);
+        }
+        const db::AttemptRecord kept = record(take(anna, recording));
+        EXPECT_FALSE(db::counts(kept)) << kept.void_reason;
+        EXPECT_FALSE(mastered(anna));
+    }
+    db::publish_task_on_first_use(*store, kTask, 999);
+    EXPECT_FALSE(store->definitions().find("task", kTask, 999)) << "nor does the program";
+}
+
+TEST_F(Evidence, NorACourseOrAQuestionnaire) {
+    OwnData mine(folder);
+    const std::string course = mine.change("courses/full_dissection",
+                                           [](nlohmann::json& json) {
+                                               json["version"] = 999;
+                                               json["stages"] =
+                                                   nlohmann::json::parse(kCourse)["stages"];
+                                           })
+                                   .dump();
+    const std::string form =
+        mine.change("questionnaires/sus", [](nlohmann::json& json) { json["version"] = 999; })
+            .dump();
+    const auto trainee = db::open_store(store->url());
+    trainee->act_for(anna);
+    EXPECT_THROW(
+        trainee->definitions().publish(definition_of("course", "full_dissection", 999, course)),
+        db::StoreError);
+    EXPECT_THROW(trainee->definitions().publish(definition_of("questionnaire", "sus", 999, form)),
+                 db::StoreError);
+    EXPECT_LT(db::find_course(*trainee, "full_dissection").version, 999);
+    try {
+        (void)db::find_course(*trainee, "of_mine");
+        FAIL() << "there is none";
+    } catch (const curriculum::DefinitionError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("placodectl course publish FILE"));
+    }
+}
+
+/// What the program carries is what a folder of it holds, scenes that extend others included.
+TEST(ShippedDefinitions, AreThoseOfTheSource) {
+    for (const char* kind : {"tasks", "scenes", "courses", "questionnaires"})
+        EXPECT_EQ(curriculum::shipped_ids(kind), curriculum::list_definitions(kind)) << kind;
+    for (const std::string& id : curriculum::shipped_ids("tasks"))
+        EXPECT_EQ(curriculum::shipped_task(id)->json, curriculum::load_task(id).json) << id;
+    for (const std::string& id : curriculum::shipped_ids("courses"))
+        EXPECT_EQ(curriculum::shipped_text("courses", id), curriculum::load_course(id).json) << id;
+    for (const std::string& id : curriculum::shipped_ids("questionnaires"))
+        EXPECT_EQ(curriculum::shipped_text("questionnaires", id),
+                  curriculum::load_questionnaire(id).json)
+            << id;
+    EXPECT_FALSE(curriculum::shipped_task("none"));
 }
 
 }  // namespace THIS_TEST

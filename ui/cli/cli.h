@@ -50,6 +50,7 @@ void add_course_commands(CLI::App& app, Context& context);
 void add_group_commands(CLI::App& app, Context& context);
 void add_station_commands(CLI::App& app, Context& context);
 void add_standard_commands(CLI::App& app, Context& context);
+void add_task_commands(CLI::App& app, Context& context);
 void add_rescore_commands(CLI::App& app, Context& context);
 void add_verify_command(CLI::App& app, Context& context);
 void add_norms_commands(CLI::App& app, Context& context);

@@ -71,6 +71,7 @@ void add_commands(CLI::App& app, cli::Context& context) {
     cli::add_group_commands(app, context);
     cli::add_station_commands(app, context);
     cli::add_standard_commands(app, context);
+    cli::add_task_commands(app, context);
     cli::add_rescore_commands(app, context);
     cli::add_verify_command(app, context);
     cli::add_norms_commands(app, context);
