@@ -122,6 +122,24 @@ void Audit::trust_station(const std::string& station) {
     work.commit();
 }
 
+void Audit::set_aside(int64_t entry, const std::string& reason) {
+    const std::string name = std::to_string(entry);
+    connection_.begin_operation("set the entry " + name + " aside in");
+    context_.need(Action::kManageUsers);
+    if (reason.empty())
+        connection_.fail(StoreError::Kind::kRefused,
+                         Said::that("an entry is set aside with a reason"));
+    const std::string whole = entry_to_set_aside(context_, entry);
+    if (whole.empty())
+        connection_.fail(StoreError::Kind::kNotFound, "there is no entry " + name +
+                                                          " that does not fit; `placodectl check` "
+                                                          "names those that do not");
+    UnitOfWork work(connection_);
+    context_.append_audit("audit.set_aside", "entry " + name, whole);
+    context_.append_audit("audit.set_aside.why", "entry " + name, context_.without_names(reason));
+    work.commit();
+}
+
 TrailHead Audit::head() {
     connection_.begin_operation("read the end of the audit trail of");
     context_.need(Action::kBackup);

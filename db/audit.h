@@ -45,6 +45,10 @@ class Audit {
     /// (db/signature.h) of one that has written here, or the public key of any. Throws kNotFound
     /// for what is neither, kConflict for one that is trusted.
     void trust_station(const std::string& station);
+    /// Check names an entry that does not fit no more, as long as it stays as it is: somebody has
+    /// looked into it. What it says of objects stays without belief. Throws kNotFound for an entry
+    /// that fits or is not there, kRefused without a reason.
+    void set_aside(int64_t entry, const std::string& reason);
     /// Where the trail ends now, signed by this computer where it has a key.
     [[nodiscard]] TrailHead head();
     /// Adds to `problems` what this trail does not hold of an earlier end of it.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/audit_check.h"
 
+#include <QVariant>
 #include <algorithm>
 #include <set>
 
@@ -53,54 +54,137 @@ std::string entry_name(const SignedEntry& entry) {
     return "audit: entry " + std::to_string(entry.entry.record.id);
 }
 
+constexpr const char* kSignedEntries =
+    "SELECT id, at_utc, actor, action, object, detail, chain, seals, station, signature FROM "
+    "audit ";
+
+/// Of all that an entry says, so that what was set aside is that and nothing else.
+std::string whole_entry(const SignedEntry& entry) {
+    return audit_chain(entry.chain + '\x1f' + entry.signature, entry.entry);
+}
+
+/// The chain fits `previous`, and who is said to have written it has signed it.
+bool is_proved(const SignedEntry& entry, const std::string& previous) {
+    return !entry.entry.station.empty() && entry.chain == audit_chain(previous, entry.entry) &&
+           signature_is_right(signed_text(entry.chain), entry.signature, entry.entry.station);
+}
+
+std::vector<SignedEntry> entries_of(Connection& connection, const std::string& where,
+                                    const std::vector<QVariant>& values) {
+    Statement query(connection, kSignedEntries + where);
+    query.run_list(values);
+    std::vector<SignedEntry> found;
+    while (query.next()) found.push_back(read_entry(query));
+    return found;
+}
+
+bool is_proved(Connection& connection, const SignedEntry& entry) {
+    Statement before(connection, "SELECT chain FROM audit WHERE id < ? ORDER BY id DESC LIMIT 1");
+    const bool first = !before.run(entry.entry.record.id).next();
+    return is_proved(entry, first ? std::string() : before.text(0));
+}
+
+/// Who began the store: of the first entries the one that is proved, and that the next one goes on
+/// from. One that was put before the first has no such next one.
+std::string first_station(Connection& connection) {
+    constexpr size_t kLooked = 8;
+    const auto begin = entries_of(connection, "WHERE id > 0 AND station <> '' ORDER BY id LIMIT ?",
+                                  {QVariant(qlonglong{kLooked})});
+    for (size_t i = 0; i < begin.size(); ++i) {
+        const bool goes_on = i + 1 == begin.size() ||
+                             begin[i + 1].chain == audit_chain(begin[i].chain, begin[i + 1].entry);
+        if (goes_on && is_proved(connection, begin[i])) return begin[i].entry.station;
+    }
+    return {};
+}
+
+/// As first_station(). On a guarded server nobody adds entries before others, and who has not
+/// signed in reads no row: the server names the first.
+std::string founder(StoreContext& context) {
+    if (!context.server.guards()) return first_station(context.connection);
+    Statement first(context.connection, "SELECT station FROM placode_guard.trail_founder()");
+    return first.run().next() ? first.text(0) : std::string();
+}
+
+/// The entries that trust a station and are proved. Anybody who may add rows can say so; only who
+/// is trusted can sign it.
+std::vector<SignedEntry> proved_trust(StoreContext& context) {
+    Connection& connection = context.connection;
+    std::vector<SignedEntry> said;
+    if (context.server.guards()) {
+        Statement query(connection, "SELECT * FROM placode_guard.trail_trust()");
+        query.run();
+        while (query.next())
+            if (SignedEntry entry = read_entry(query); is_proved(entry, query.text("before")))
+                said.push_back(std::move(entry));
+        return said;
+    }
+    said = entries_of(connection, "WHERE action = 'station.trust' ORDER BY id", {});
+    std::erase_if(said, [&](const SignedEntry& each) { return !is_proved(connection, each); });
+    return said;
+}
+
 class TrailCheck {
  public:
     TrailCheck(StoreContext& context, std::vector<std::string>& problems)
         : context_(context),
           problems_(problems),
           trusted_(trusted_stations(context)),
-          heads_(context.station.heads()) {}
+          heads_(context.station.heads()) {
+        for (const SignedEntry& each :
+             entries_of(context.connection, "WHERE action = 'audit.set_aside'", {}))
+            if (trusted_.contains(each.entry.station) && is_proved(context.connection, each))
+                set_aside_.insert(each.entry.record.detail);
+    }
 
     void run() {
-        Statement query(context_.connection,
-                        "SELECT id, at_utc, actor, action, object, detail, chain, seals, station, "
-                        "signature FROM audit ORDER BY id");
-        query.run();
-        while (query.next())
-            if (!follow(read_entry(query))) return;
+        {
+            Statement query(context_.connection, std::string(kSignedEntries) + "ORDER BY id");
+            query.run();
+            while (query.next()) follow(read_entry(query));
+        }
+        if (bad_ > kMostNamed)
+            problems_.push_back("audit: " + std::to_string(bad_ - kMostNamed) +
+                                " more entries that do not fit");
         checkHeads();
         checkObjects();
     }
 
  private:
-    /// False at the first entry that does not fit: none after it can be judged.
-    bool follow(const SignedEntry& entry) {
-        if (entry.chain != audit_chain(previous_, entry.entry)) {
-            problems_.push_back(entry_name(entry) + " or the one before it was changed or removed");
-            return false;
-        }
+    /// One that does not fit hides nothing: what it says of objects is not believed, and the
+    /// program has gone on from it.
+    void follow(const SignedEntry& entry) {
+        const bool fits = entry.chain == audit_chain(previous_, entry.entry);
         previous_ = entry.chain;
         std::erase(heads_, Station::Head{entry.entry.record.id, entry.chain});
-        if (!checkSignature(entry)) return false;
+        if (!fits) {
+            refuse(entry, " or the one before it was changed or removed");
+            return;
+        }
+        if (!checkSignature(entry)) return;
         for (const auto& [object, change] : seals_of_text(entry.entry.seals)) {
             std::string& last = sealed_.try_emplace(object, kNoObject).first->second;
             if (last != change.before)
                 report(object, "changed before entry " + std::to_string(entry.entry.record.id));
             last = change.after;
         }
-        return true;
+    }
+
+    void refuse(const SignedEntry& entry, const std::string& what) {
+        if (!set_aside_.empty() && set_aside_.contains(whole_entry(entry))) return;
+        if (++bad_ <= kMostNamed) problems_.push_back(entry_name(entry) + what);
     }
 
     bool checkSignature(const SignedEntry& entry) {
         const std::string& station = entry.entry.station;
         if (station.empty() && !any_signed_) return true;  // from before there were signatures
         if (station.empty()) {
-            problems_.push_back(entry_name(entry) + " is not signed, and earlier ones are");
+            refuse(entry, " is not signed, and earlier ones are");
             return false;
         }
         any_signed_ = true;
         if (!signature_is_right(signed_text(entry.chain), entry.signature, station)) {
-            problems_.push_back(entry_name(entry) + " has a signature that is not right");
+            refuse(entry, " has a signature that is not right");
             return false;
         }
         if (!trusted_.contains(station) && reported_.insert(station).second)
@@ -148,38 +232,38 @@ class TrailCheck {
 
     StoreContext& context_;
     std::vector<std::string>& problems_;
-    std::set<std::string> trusted_, reported_;
+    std::set<std::string> trusted_, reported_, set_aside_;
     std::map<SealedObject, std::string> sealed_;
     std::string previous_;
     std::vector<Station::Head> heads_;  ///< What this computer remembers and was not met yet.
     bool any_signed_ = false;
-    size_t found_ = 0;
+    size_t found_ = 0, bad_ = 0;
 };
 
 }  // namespace
 
 std::set<std::string> trusted_stations(StoreContext& context) {
     std::set<std::string> trusted;
-    const bool guarded = context.server.guards();
-    Statement first(context.connection,
-                    guarded ? "SELECT station FROM placode_guard.trail_founder()"
-                            : "SELECT station FROM audit WHERE station <> '' ORDER BY id LIMIT 1");
-    if (first.run().next()) trusted.insert(first.text(0));
-    if (const std::string own = context.station.public_key_if_any(); !own.empty())
-        trusted.insert(own);
-    std::vector<std::pair<std::string, std::string>> said;
-    Statement query(
-        context.connection,
-        guarded ? "SELECT station, detail FROM placode_guard.trail_trust()"
-                : "SELECT station, detail FROM audit WHERE action = 'station.trust' ORDER BY id");
-    query.run();
-    while (query.next()) said.emplace_back(query.text(0), query.text(1));
+    if (const std::string first = founder(context); !first.empty()) trusted.insert(first);
+    // Whoever owns a file owns all in it. A server's word is not this computer's to give.
+    if (context.connection.is_sqlite())
+        if (const std::string own = context.station.public_key_if_any(); !own.empty())
+            trusted.insert(own);
+    const std::vector<SignedEntry> said = proved_trust(context);
     for (bool more = true; more;) {
         more = false;
-        for (const auto& [by, whom] : said)
-            more = (trusted.contains(by) && trusted.insert(whom).second) || more;
+        for (const SignedEntry& each : said)
+            more = (trusted.contains(each.entry.station) &&
+                    trusted.insert(each.entry.record.detail).second) ||
+                   more;
     }
     return trusted;
+}
+
+std::string entry_to_set_aside(StoreContext& context, int64_t entry) {
+    const auto found = entries_of(context.connection, "WHERE id = ?", {QVariant(qlonglong{entry})});
+    if (found.empty() || is_proved(context.connection, found.front())) return {};
+    return whole_entry(found.front());
 }
 
 void check_trail(StoreContext& context, std::vector<std::string>& problems) {

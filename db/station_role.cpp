@@ -74,7 +74,8 @@ constexpr std::array<std::pair<const char*, const char*>, 7> kBeyond{{
      "trail off"},
     // Columns that no station may change, of which one stands for all.
     {"has_column_privilege('attempts', 'points', 'UPDATE') OR has_table_privilege('audit', "
-     "'UPDATE') OR has_table_privilege('audit', 'DELETE') OR has_table_privilege('definitions', "
+     "'UPDATE') OR has_table_privilege('audit', 'DELETE') OR has_column_privilege('audit', 'id', "
+     "'INSERT') OR has_table_privilege('definitions', "
      "'UPDATE')",
      "may change scores, published texts or the trail"},
     {"has_schema_privilege('public', 'CREATE')", "may make tables and functions"},
@@ -92,6 +93,11 @@ std::vector<std::string> grants() {
         "REVOKE ALL ON ALL TABLES IN SCHEMA public FROM PUBLIC, " + kRole,
         "GRANT SELECT, INSERT ON ALL TABLES IN SCHEMA public TO " + kRole,
         "REVOKE INSERT ON schema_migrations FROM " + kRole,
+        // Never its number: one before the first would begin the trail, one far on end it.
+        "REVOKE INSERT ON audit FROM " + kRole,
+        "GRANT INSERT (at_utc, actor, action, object, detail, chain, seals, station, signature) ON "
+        "audit TO " +
+            kRole,
     };
     for (const TableRight& right : kRights) {
         if (*right.columns != '\0')

@@ -19,6 +19,7 @@
 #include "db/packing.h"
 #include "db/signature.h"
 #include "db/sql_connection.h"
+#include "db/store_context.h"
 #include "sim/core/random.h"
 #include "tests/bars.h"
 #include "tests/full_store.h"
@@ -291,6 +292,90 @@ TEST_P(SealsTest, ATrailThatIsWrittenAnewWithoutAKeyIsNotSealedAgain) {
         EXPECT_THAT(found(), HasSubstr("and the trail does not hold it as it was"));
         EXPECT_THAT(found(), HasSubstr("and the trail does not hold it as it was")) << "again";
     }
+}
+
+/// A row of the trail as somebody adds it by SQL. @param id "" = the next one
+std::string added_entry(const std::string& id, const std::string& action, const std::string& detail,
+                        const std::string& station = "", const std::string& chain = "none") {
+    return "INSERT INTO audit (" + std::string(id.empty() ? "" : "id, ") +
+           "at_utc, actor, action, object, detail, chain, seals, station, signature) VALUES (" +
+           (id.empty() ? "" : id + ", ") + "'2026-01-01T00:00:00Z', 'bert', '" + action +
+           "', 'x', '" + detail + "', '" + chain + "', '', '" + station + "', '')";
+}
+
+TEST_P(SealsTest, ARowThatDoesNotFitHidesNothingThatComesAfterIt) {
+    const std::string attempt = std::to_string(attempt_id);
+    RawConnection pen = forger();
+    const std::string last = pen.value("SELECT MAX(id) FROM audit");
+    ASSERT_TRUE(pen.run(added_entry("", "export", "")));
+    const std::string added = pen.value("SELECT MAX(id) FROM audit");
+    ASSERT_TRUE(pen.run("UPDATE attempts SET points = 100 WHERE id = " + attempt));
+    store->groups().create("after it");  // The program goes on from that row.
+    ASSERT_TRUE(pen.run("UPDATE accounts SET roles = 255 WHERE id = " + std::to_string(anna)));
+    const std::string found_now = found();
+    EXPECT_THAT(found_now, AllOf(HasSubstr("entry " + added + " or the one before it"),
+                                 HasSubstr("attempt " + attempt + " was changed"),
+                                 HasSubstr("user " + std::to_string(anna) + " was changed")));
+    EXPECT_THAT(found_now, Not(HasSubstr("entry " + std::to_string(std::stoll(added) + 1))))
+        << "only that one";
+    // Somebody has looked into it.
+    store = open();
+    EXPECT_EQ(failure_of([&] { store->audit().set_aside(std::stoll(last), "why"); }).kind(),
+              db::StoreError::Kind::kNotFound)
+        << "it fits";
+    EXPECT_EQ(failure_of([&] { store->audit().set_aside(std::stoll(added), ""); }).kind(),
+              db::StoreError::Kind::kRefused);
+    store->audit().set_aside(std::stoll(added), "a script of ours");
+    EXPECT_THAT(all_of(store->check()),
+                AllOf(Not(HasSubstr("audit: ")), HasSubstr("attempt " + attempt + " was changed")));
+    ASSERT_TRUE(pen.run("UPDATE audit SET detail = 'other' WHERE id = " + added));
+    EXPECT_THAT(all_of(store->check()), HasSubstr("entry " + added))
+        << "as it was when somebody looked";
+}
+
+TEST_P(SealsTest, ARowFarOnHidesNothingEither) {
+    const std::string attempt = std::to_string(attempt_id);
+    RawConnection pen = forger();
+    ASSERT_TRUE(pen.run(added_entry("9223372036854775000", "export", "")));
+    ASSERT_TRUE(pen.run("UPDATE attempts SET points = 100 WHERE id = " + attempt));
+    EXPECT_THAT(found(), AllOf(HasSubstr("entry 9223372036854775000"),
+                               HasSubstr("attempt " + attempt + " was changed")));
+}
+
+TEST_P(SealsTest, NobodyIsTrustedByARowThatNobodySigned) {
+    store.reset();
+    const std::string own = folder.file("station.key"), other = folder.file("other/station.key");
+    ::setenv("PLACODE_STATION_KEY", other.c_str(), 1);
+    store = open();
+    store->audit().write("bert", "export", "of the other", "");
+    store.reset();
+    ::setenv("PLACODE_STATION_KEY", own.c_str(), 1);
+    store = open();
+    const std::string first = store->audit().stations().at(0).public_key,
+                      key = store->audit().stations().at(1).public_key;
+    store.reset();
+    const auto trusted = [&] {
+        const auto again = open();
+        for (const db::StationRecord& each : again->audit().stations())
+            if (each.public_key == key) return each.trusted;
+        return false;
+    };
+    RawConnection pen = forger();
+    // By its text, in the name of who is trusted; and as the one that began the store.
+    ASSERT_TRUE(pen.run(added_entry("", "station.trust", key, first)));
+    EXPECT_FALSE(trusted());
+    ASSERT_TRUE(pen.run(added_entry("0", "export", "", key)));
+    EXPECT_FALSE(trusted());
+    // With the chain that belongs there, which anybody can compute.
+    ASSERT_TRUE(pen.run("DELETE FROM audit WHERE id <= 0"));
+    db::TrailEntry entry;
+    entry.record = {0, "t", "bert", "export", "", ""};
+    entry.station = key;
+    ASSERT_TRUE(
+        pen.run("INSERT INTO audit (id, at_utc, actor, action, object, detail, chain, "
+                "seals, station, signature) VALUES (0, 't', 'bert', 'export', '', '', '" +
+                db::audit_chain("", entry) + "', '', '" + key + "', '')"));
+    EXPECT_FALSE(trusted());
 }
 
 TEST_P(SealsTest, ANewStoreAtAnOldAddressIsNotSuspected) {

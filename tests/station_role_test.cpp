@@ -40,6 +40,8 @@ constexpr std::array kAttacks{
     "DELETE FROM participants",
     "UPDATE audit SET actor = 'somebody else'",
     "DELETE FROM audit",
+    "INSERT INTO audit (id, at_utc, actor, action, object, detail, chain) VALUES (0, '', '', '', "
+    "'', '', '')",
     "TRUNCATE audit",
     "TRUNCATE attempts CASCADE",
     "UPDATE trusted_centres SET public_key = ''",

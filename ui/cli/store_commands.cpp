@@ -188,6 +188,17 @@ int audit(const Context& context, int limit) {
     return 0;
 }
 
+int audit_set_aside(const Context& context, int64_t entry, const std::string& reason) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kManageUsers, Scope::kOther);
+    as_input([&] { session.store().audit().set_aside(entry, reason); },
+             db::StoreError::Kind::kNotFound);
+    print(context, {{"entry", entry}, {"set_aside", true}},
+          "entry " + std::to_string(entry) +
+              " is set aside: `placodectl check` names it no more as long as it stays as it is");
+    return 0;
+}
+
 int audit_head(const Context& context, const std::string& path) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kBackup, Scope::kOther);
@@ -251,8 +262,18 @@ void add_store_commands(CLI::App& app, Context& context) {
         ->add_option("--head", *head,
                      "Instead: writes where the trail ends, signed, to FILE, to be kept elsewhere")
         ->type_name("FILE");
-    audit_command->callback([&context, limit, head] {
-        context.run = [&context, limit, head] {
+    auto aside = std::make_shared<int64_t>(0);
+    auto reason = std::make_shared<std::string>();
+    CLI::Option* why = audit_command->add_option(
+        "--reason", *reason, "Why the entry is set aside: what was found out about it");
+    audit_command
+        ->add_option("--set-aside", *aside,
+                     "Instead: `check` names this entry, which does not fit, no more")
+        ->type_name("ENTRY")
+        ->needs(why);
+    audit_command->callback([&context, limit, head, aside, reason] {
+        context.run = [&context, limit, head, aside, reason] {
+            if (*aside != 0) return audit_set_aside(context, *aside, *reason);
             return head->empty() ? audit(context, *limit) : audit_head(context, *head);
         };
     });

@@ -29,6 +29,8 @@ constexpr auto kWords = std::to_array<Words>({
     {"attempt.rescore", QT_TRANSLATE_NOOP("AuditWords", "scored an attempt again")},
     {"attempt.save", QT_TRANSLATE_NOOP("AuditWords", "saved an attempt")},
     {"attempt.void", QT_TRANSLATE_NOOP("AuditWords", "declared an attempt void")},
+    {"audit.set_aside", QT_TRANSLATE_NOOP("AuditWords", "set an entry aside that does not fit")},
+    {"audit.set_aside.why", QT_TRANSLATE_NOOP("AuditWords", "said why an entry was set aside")},
     {"backup.daily.off", QT_TRANSLATE_NOOP("AuditWords", "switched the daily backup off")},
     {"backup.daily.on", QT_TRANSLATE_NOOP("AuditWords", "switched the daily backup on")},
     {"batch.extract", QT_TRANSLATE_NOOP("AuditWords", "took recordings out for a batch")},

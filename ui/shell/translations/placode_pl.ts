@@ -1227,6 +1227,14 @@
         <source>erased records that had been kept long enough</source>
         <translation>usunięto zapisy, które przechowywano wystarczająco długo</translation>
     </message>
+    <message>
+        <source>set an entry aside that does not fit</source>
+        <translation>odłożono wpis, który nie pasuje</translation>
+    </message>
+    <message>
+        <source>said why an entry was set aside</source>
+        <translation>podano, dlaczego odłożono wpis</translation>
+    </message>
 </context>
 <context>
     <name>CohortPage</name>
