@@ -153,11 +153,16 @@ TEST_F(TrainingPrograms, AnExamRecordingIsTakenOnlyWithItsSeed) {
     for (const char* seed : {"4", "5"}) {
         const Outcome made =
             run("placode-sim", std::string("--task diathermy_ring_small --headless "
-                                           "--fast --duration 0.1 --device "
+                                           "--fast --duration 0.1 --exam --device "
                                            "script:expert --seed ") +
                                    seed + " --record s" + seed + ".placode");
         ASSERT_EQ(made.status, 0) << made.err;
     }
+    ASSERT_EQ(run("placode-sim",
+                  "--task diathermy_ring_small --headless --fast --duration 0.1 --device "
+                  "script:expert --seed 5 --record practice.placode")
+                  .status,
+              0);
     const std::string exam = " --user anna --exam mine/final";
     EXPECT_THAT(as("anna", "import s5.placode" + exam).err, HasSubstr("proctor"));
     EXPECT_THAT(as("anna", "import s5.placode --proctor Nowak" + exam).err,
@@ -170,6 +175,11 @@ TEST_F(TrainingPrograms, AnExamRecordingIsTakenOnlyWithItsSeed) {
         return ctl("--as anna " + arguments + " --proctor ewa" + exam,
                    std::string(kRight) + " PLACODE_PROCTOR_PASSWORD='" + password + "'");
     };
+    EXPECT_THAT(ctl("import s5.placode --proctor ewa" + exam).err,
+                HasSubstr("PLACODE_PROCTOR_PASSWORD; it is missing"))
+        << "nor does whoever owns the file";
+    EXPECT_THAT(proctored("import practice.placode", "long enough 1").err,
+                HasSubstr("it was recorded as practice"));
     EXPECT_THAT(proctored("import s5.placode", "a guess 12").err, HasSubstr("it is wrong"));
     EXPECT_THAT(proctored("import s4.placode", "long enough 1").err,
                 HasSubstr("expected task diathermy_ring_small, seed 5"));

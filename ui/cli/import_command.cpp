@@ -39,12 +39,13 @@ struct ImportOptions {
     std::string file, user, exam, proctor, certificate;
 };
 
-/// Who takes an exam cannot name a proctor who knows nothing of it: that proctor's password is
-/// asked for, in PLACODE_PROCTOR_PASSWORD. Whoever else imports may be believed.
+/// Nobody names a proctor who knows nothing of it: that proctor's password is asked for, in
+/// PLACODE_PROCTOR_PASSWORD, also of whoever owns the store's file. A proctor who imports has
+/// signed in with it.
 std::string proctor_of(Session& session, int64_t user_id, const ImportOptions& options) {
     if (options.proctor.empty()) return {};
     const db::UserRecord proctor = db::find_proctor(session.store(), options.proctor, user_id);
-    if (!session.user() || session.user()->id != user_id) return proctor.login;
+    if (session.user() && session.user()->id == proctor.id) return proctor.login;
     const char* const password = std::getenv("PLACODE_PROCTOR_PASSWORD");
     const db::SignIn found = session.store().accounts().confirm(
         proctor.login, password == nullptr ? std::string() : std::string(password));
@@ -63,6 +64,10 @@ db::ExamContext exam_of(Session& session, int64_t user_id, const ImportOptions& 
         throw InputError("--exam " + options.exam + ": expected COURSE/STAGE");
     try {
         const sim::RecordingHeader header = db::read_recording_file(options.file).header;
+        // What was not at stake when it was made is chosen among many.
+        if (header.mode != "exam")
+            throw InputError(options.file + ": it was recorded as " + header.mode +
+                             "; an exam is recorded as one (placode-sim --exam)");
         db::ExamOrder order = db::prepare_exam(
             session.store(), user_id, options.exam.substr(0, slash), options.exam.substr(slash + 1),
             proctor_of(session, user_id, options), options.certificate, now_utc());
