@@ -6,6 +6,9 @@
     placodectl report seal 12 --out seal.txt --recording attempt.placode
     python3 check_seal.py seal.txt [attempt.placode] [--station PUBLIC_KEY]
 
+Anybody can make a key and sign a page with it. That a page is a centre's shows only with --station: the key that the
+centre gave out itself (`placodectl station key` there). Without it that is said to be open.
+
 Ed25519 is written out below (RFC 8032, section 5.1.7), so that Python alone is enough.
 Exit status: 0 everything is right, 1 something is not, 2 usage.
 """
@@ -107,6 +110,10 @@ def main():
     print(lines.decode(), end="")
     for what, right in checks.items():
         print("right" if right else "WRONG", what, sep="  ")
+    if not options.station:
+        print("OPEN   whose station that is: anybody can sign like this; ask the centre for its key, give it as --station")
+    if options.recording and said.get("recorded by station") != said.get("stated by station"):
+        print("OPEN   who recorded it: another station than the one that states this; ask the centre whether it is theirs")
     return 0 if all(checks.values()) else 1
 
 

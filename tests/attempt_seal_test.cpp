@@ -104,6 +104,22 @@ TEST_F(AttemptSeal, AnotherComputerSealsInItsOwnName) {
     EXPECT_EQ(check(theirs, "--station " + first), 1);
 }
 
+TEST_F(AttemptSeal, WhoseKeyItIsStaysOpenUntilSomebodyNamesIt) {
+    const std::string said = folder.file("said.txt");
+    const auto open_lines = [&](const std::string& more) {
+        std::ofstream(folder.file("page.txt"), std::ios::binary) << seal;
+        const std::string command = "/usr/bin/python3 '" PLACODE_SOURCE_DIR
+                                    "/examples/check_seal.py' '" +
+                                    folder.file("page.txt") + "' " + more + " > '" + said + "'";
+        EXPECT_EQ(std::system(command.c_str()), 0);
+        std::ifstream in(said);
+        const std::string text(std::istreambuf_iterator<char>(in), {});
+        return text.find("OPEN   whose station that is") != std::string::npos;
+    };
+    EXPECT_TRUE(open_lines(""));
+    EXPECT_FALSE(open_lines("--station " + db::Station().public_key()));
+}
+
 TEST_F(AttemptSeal, ANameIsNoStatement) {
     db::NewUser user = trainee("eve");
     user.display_name = "Eve\ncounts: yes\npoints of 100: 100.00";
