@@ -138,6 +138,7 @@ BEGIN
     PERFORM placode_guard.need(8, who);
     UPDATE public.accounts SET password_hash = placode_guard.unmasked(secret, 1, masked), password_given = given
         WHERE id = who;
+    DELETE FROM placode_guard.sessions WHERE account = who AND token IS DISTINCT FROM current_setting('placode.session', true);
 END $$
 --
 CREATE OR REPLACE FUNCTION placode_guard.set_pin(who BIGINT, masked TEXT) RETURNS VOID

@@ -167,6 +167,21 @@ TEST_P(StationGuard, ATokenOpensNothingOnceItsOwnerHasLeft) {
     ASSERT_EQ(there.enter("anna", kPassword), std::to_string(anna_));
     open()->accounts().set_active(anna_, false);
     EXPECT_EQ(there.me(), "0");
+    // Nor does one that somebody has got hold of, once the password is another; whoever has changed
+    // it stays.
+    const std::string bert = std::to_string(bert_);
+    ASSERT_EQ(there.enter("bert", kPassword), bert);
+    const std::string stolen = there.token();
+    const auto store = open_at_station();
+    ASSERT_EQ(store->accounts().sign_in("bert", kPassword).outcome, SignInOutcome::kOk);
+    store->accounts().set_password(bert_, "another long one");
+    EXPECT_EQ(there.me(), "0");
+    EXPECT_EQ(here.resume(bert, stolen), "false");
+    EXPECT_EQ(store->attempts().list(bert_).size(), 0u);
+    ASSERT_EQ(there.enter("bert", "another long one"), bert);
+    ASSERT_EQ(store->accounts().sign_in("keeper", kPassword).outcome, SignInOutcome::kOk);
+    store->accounts().set_password(bert_, "yet another long one");
+    EXPECT_EQ(there.me(), "0");
 }
 
 // Others with the same log-in see the statements of this one.
