@@ -13,7 +13,9 @@ mkdir -p "$logs"
 export PLACODE_LONG_TESTS=1 PLACODE_BARS=$PWD/$logs/bars.csv PLACODE_STATION_KEY=$PWD/$logs/station.key
 touch "$PLACODE_BARS"
 status=0
-for file in $(grep -lE 'tests/bars.h|PLACODE_LONG_TESTS' tests/*_test.cpp); do
+# A header of the tests may bring the long form along.
+headers=$(grep -lE 'tests/bars.h|PLACODE_LONG_TESTS' tests/*.h | paste -sd'|')
+for file in $(grep -lE "tests/bars.h|PLACODE_LONG_TESTS|$headers" tests/*_test.cpp); do
   name=$(basename "$file" .cpp)
   begun=$SECONDS
   result=passed
