@@ -3,6 +3,7 @@
 #include "db/sql_connection.h"
 
 #include <sqlite3.h>
+#include <sys/statvfs.h>
 
 #include <QDateTime>
 #include <QSqlDriver>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 
@@ -55,6 +57,19 @@ Diagnosis diagnose_sqlite(int code) {
     }
 }
 
+/// On a full disk SQLite may answer as on a broken one (it cannot make the log's index), and never
+/// says where: what it is, and the folder.
+std::string words_for_the_disk(const std::string& path, bool said_full) {
+    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+    constexpr uint64_t kNoRoom = uint64_t{256} << 10;
+    struct statvfs disk {};
+    const bool full = said_full || (::statvfs(folder.c_str(), &disk) == 0 &&
+                                    uint64_t{disk.f_bavail} * disk.f_frsize < kNoRoom);
+    return (full ? "the disk is full; make room and try again"
+                 : "the disk answers with errors; check it") +
+           (" (folder " + folder.string() + ")");
+}
+
 // SQLSTATE classes: PostgreSQL manual, appendix A.
 Diagnosis diagnose_postgresql(const std::string& state, QSqlError::ErrorType type) {
     const std::string family = state.substr(0, 2);
@@ -72,7 +87,7 @@ Diagnosis diagnose_postgresql(const std::string& state, QSqlError::ErrorType typ
 }
 
 // As libpq reads the values of its connection text. Qt makes ';' into a blank.
-QString quoted(const std::string& value) {
+QString libpq_quoted(const std::string& value) {
     return QString::fromStdString(value).replace('\\', "\\\\").replace('\'', "\\'");
 }
 
@@ -123,7 +138,7 @@ void Connection::open() {
         QString options = QStringLiteral("connect_timeout=5;sslmode=%1")
                               .arg(QString::fromStdString(url_.sslmode));
         if (!url_.sslrootcert.empty())
-            options += QStringLiteral(";sslrootcert='%1'").arg(quoted(url_.sslrootcert));
+            options += QStringLiteral(";sslrootcert='%1'").arg(libpq_quoted(url_.sslrootcert));
         database_.setConnectOptions(options);
     }
     if (!database_.open()) fail(database_.lastError());
@@ -228,7 +243,11 @@ void Connection::fail(const QSqlError& error) {
     if (!is_sqlite()) roll_back();
     // A server connection that broke is opened again by the next operation.
     if (!is_sqlite() && diagnosis.kind == Kind::kUnavailable) database_.close();
-    const std::string problem = said + "; " + diagnosis.way_out;
+    const int family = is_sqlite() ? code.toInt() & 0xff : 0;
+    const bool disk = (family == SQLITE_IOERR || family == SQLITE_FULL) && url_.path != ":memory:";
+    const std::string problem =
+        said + "; " +
+        (disk ? words_for_the_disk(url_.path, family == SQLITE_FULL) : diagnosis.way_out);
     if (diagnosis.kind != Kind::kRefused) fail(diagnosis.kind, problem);
     // A trigger has nothing but text; whoever knows what it stands for says that.
     const auto meaning = meaning_of_refusal_ ? meaning_of_refusal_() : std::nullopt;

@@ -67,6 +67,22 @@ TEST_F(DurableFile, ARestoreIsOnTheDiskBeforeItCounts) {
     EXPECT_EQ(whole.log[exchanged + 1], "fsync " + folder->path().string());
 }
 
+// "disk I/O error" alone says neither which disk nor what to do.
+TEST_F(DurableFile, ADiskWithoutRoomIsSaidWithItsFolder) {
+    begin_again();
+    const auto store = db::open_store(url());
+    rlimit before{}, none{1, RLIM_INFINITY};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    none.rlim_max = before.rlim_max;
+    ::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &none), 0);
+    const StoreError error = failure_of([&] { store->groups().create("Ours"); });
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    EXPECT_EQ(error.kind(), StoreError::Kind::kUnavailable);
+    EXPECT_THAT(error.what(), HasSubstr("(folder " + folder->path().string() + ")"));
+    EXPECT_THAT(error.what(), AnyOf(HasSubstr("make room and try again"), HasSubstr("check it")));
+}
+
 // A name is in the folder above it: a power cut must not take new folders and the mark away.
 TEST_F(DurableFile, NewFoldersAndTheMarkAreOnTheDisk) {
     const auto deep = [this] { return folder->file("new/below/placode.db"); };
