@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include <QJsonDocument>
 #include <algorithm>
 #include <array>
 #include <exception>
@@ -28,6 +29,7 @@
 #include "curriculum/task.h"
 #include "db/recording_chunks.h"
 #include "db/recording_file.h"
+#include "db/said_json.h"
 #include "db/seals.h"
 #include "db/store_error.h"
 #include "db/store_url.h"
@@ -168,6 +170,21 @@ inline std::vector<Seed> seeds_of_void_reasons() {
     return seeds;
 }
 
+/// What the store keeps of the same reasons beside their words.
+inline std::vector<Seed> seeds_of_meanings() {
+    std::vector<Seed> seeds;
+    for (int i = 0; i <= static_cast<int>(db::VoidCause::kProctor); ++i) {
+        db::NotDone why;
+        why.voids.push_back({static_cast<db::VoidCause>(i), 1, 2,
+                             db::Said::that("%1 of %2").with(3).with(std::string("words"))});
+        seeds.push_back({"void" + std::to_string(i), db::void_meaning(why.voids)});
+        why.interrupted = i % 2 == 1;
+        why.note = "a note";
+        seeds.push_back({"step" + std::to_string(i), db::not_done_meaning(why)});
+    }
+    return seeds;
+}
+
 inline std::vector<Loader> loaders() {
     using namespace curriculum;
     const auto text = [](auto load) {
@@ -217,6 +234,13 @@ inline std::vector<Loader> loaders() {
          [](const std::string& reasons) { (void)db::void_reasons(reasons); }},
         {"not_done", seeds_of_void_reasons,
          [](const std::string& why) { (void)db::not_done(why); }},
+        {"meaning", seeds_of_meanings,
+         [](const std::string& json) {
+             (void)db::void_reasons("words", json);
+             (void)db::not_done("words", json);
+             (void)db::said_of_json(
+                 QJsonDocument::fromJson(QByteArray::fromStdString(json)).object());
+         }},
         {"trail_head",
          seed("head", db::trail_head_text({"ab", 3, "cd", "2026-01-02T03:04:05Z", "ef", "01"})),
          from_file("trail.head", db::read_trail_head)},
