@@ -27,5 +27,18 @@ done
 echo
 printf '%-44s %12s %8s %8s\n' 'what was tried' times failed seconds
 awk -F, '{printf "%-44s %12d %8d %8.0f\n", $1, $2, $3, $4; if ($3 > 0) bad = 1} END {exit bad}' "$PLACODE_BARS" || status=1
-echo "$(date -u +%F), $(nproc) cores, $(git rev-parse --short HEAD 2>/dev/null || echo 'no commit'); logs: $logs"
+machine="$(date -u +%F), $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, $(git rev-parse --short HEAD 2>/dev/null || echo 'no commit'), $SECONDS s in all"
+echo "$machine; logs: $logs"
+# The same for readers; commit it when the run was whole.
+{
+  echo '# A long run'
+  echo
+  echo "Written by \`./test.sh --long\`: $machine. \`fuzzed\` counts executions."
+  echo
+  echo '| what was tried | times | failed | seconds |'
+  echo '|---|---|---|---|'
+  awk -F, '{times[$1] += $2; failed[$1] += $3; took[$1] += $4; if (!($1 in seen)) {seen[$1]; name[++n] = $1}}
+    END {for (i = 1; i <= n; ++i) printf "| %s | %d | %d | %.0f |\n", name[i], times[name[i]], failed[name[i]], took[name[i]]}' "$PLACODE_BARS"
+} >"$logs/long-run.md"
+echo "for docs/measurements: $logs/long-run.md"
 exit "$status"

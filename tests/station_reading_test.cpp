@@ -8,6 +8,7 @@
 #include <set>
 
 #include "db/access.h"
+#include "tests/bars.h"
 #include "tests/rights_world.h"
 #include "tests/station_guard_attacks.h"
 
@@ -269,6 +270,7 @@ class StationReading : public StoreTest {
         return sql;
     }
     void see(RawConnection& station, db::Roles roles, const std::string& actor) const {
+        Bar bar("tables by role and scope: what SQL sees");
         for (const Sight& each : sights())
             for (const Subject whose : kSubjects) {
                 if (!each.personal && whose != Subject::kGroup) continue;
@@ -277,12 +279,14 @@ class StationReading : public StoreTest {
                                                    " WHERE " + each.where + " LIMIT 1",
                                                actor, whose));
                 EXPECT_EQ(got.refusal, "") << each.table;
+                bar.tried((got.rows > 0) == each.sees(roles, whose));
                 EXPECT_EQ(got.rows > 0, each.sees(roles, whose))
                     << each.table << " by " << (roles == 0 ? "nobody" : actor) << ", subject "
                     << int(whose);
             }
     }
     void write(RawConnection& station, db::Roles roles, const std::string& actor) const {
+        Bar bar("rows by role and scope: what SQL adds");
         for (const Write& each : writes())
             for (const Subject whose : {Subject::kOwn, Subject::kGroup, Subject::kOther}) {
                 bool may = roles != 0 && (!each.needs.empty() || whose == Subject::kOwn);
@@ -293,6 +297,7 @@ class StationReading : public StoreTest {
                 ASSERT_TRUE(station.run("BEGIN"));
                 const Outcome got = outcome_of(station, sql);
                 ASSERT_TRUE(station.run("ROLLBACK"));
+                bar.tried(got.got_anything() == may);
                 EXPECT_EQ(got.got_anything(), may)
                     << sql << " by " << (roles == 0 ? "nobody" : actor) << ": " << got.refusal;
             }
