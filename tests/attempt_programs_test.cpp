@@ -210,6 +210,19 @@ TEST_F(Programs, AKilledAttemptLosesAtMostHalfASecond) {
     }
 }
 
+// A terminal that is closed, a connection that breaks.
+TEST_F(Programs, AHangUpEndsAnAttemptAsInterrupted) {
+    const std::string name = file("hang_up.placode");
+    const Outcome ended = shell(
+        "bash -c '\"" PLACODE_BIN_DIR
+        "/placode-sim\" --task diathermy_ring_small --headless --device script:novice "
+        "--record \"" +
+        name + "\" & while [ ! -s \"" + name + "\" ]; do sleep 0.1; done; kill -HUP $!; wait $!'");
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_THAT(ended.out + ended.err, HasSubstr("interrupted"));
+    EXPECT_EQ(db::read_recording_file(name).end.reason, sim::EndReason::kInterrupted);
+}
+
 TEST_F(Programs, ARecordingBecomesAnAttemptOfAPerson) {
     ASSERT_EQ(ctl("demo --attempts 0").status, 0);
     const Outcome attempt = run("placode-sim",

@@ -25,6 +25,8 @@ void catch_stop_signals() {
     const auto handler = [](int) { g_stop.store(true, std::memory_order_relaxed); };
     std::signal(SIGINT, handler);
     std::signal(SIGTERM, handler);
+    // A terminal or connection that closes; under nohup it is to go on.
+    if (std::signal(SIGHUP, handler) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
     std::signal(SIGUSR1, [](int) { g_finish.store(true, std::memory_order_relaxed); });
     std::signal(SIGPIPE, SIG_IGN);  // the shell may go away; the attempt is recorded all the same
 }
