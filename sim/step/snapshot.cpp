@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "sim/cutting/attempt_progress.h"
+#include "sim/fluid/jet_law.h"
 #include "sim/ledger/burial.h"
 #include "sim/step/needle_snapshot.h"
 #include "sim/world/scene.h"
@@ -27,6 +28,43 @@ ToolSnapshot tool_snapshot(const ToolSpec& spec, const ToolState& tool) {
     s.engaged = tool.engaged;
     s.touched = tool.touched;
     return s;
+}
+
+void fill_fluid(const Scene& scene, const State& state, FluidSnapshot& out) {
+    const Irrigation& irrigation = *scene.irrigation;
+    const PoolGrid& grid = irrigation.grid;
+    out.x_m = grid.x_m;
+    out.y_m = grid.y_m;
+    out.cell_m = grid.cell_m;
+    out.columns = grid.columns;
+    out.rows = grid.rows;
+    if (out.ground_m.size() != grid.cells()) out.ground_m = grid.ground_m;
+    out.depth_m.resize(grid.cells());
+    out.blood_m.resize(grid.cells());
+    const Pool& pool = state.irrigation.pool;
+    for (size_t c = 0; c < grid.cells(); ++c) {
+        out.depth_m[c] = static_cast<float>(pool.volume_m3[c] / grid.cell_m2());
+        out.blood_m[c] = static_cast<float>(pool.blood_m3[c] / grid.cell_m2());
+    }
+    out.specks.clear();
+    out.specks.reserve(irrigation.debris.size());
+    for (size_t i = 0; i < irrigation.debris.size(); ++i) {
+        const DebrisFate fate = state.irrigation.debris[i].fate;
+        if (fate != DebrisFate::kStuck && fate != DebrisFate::kLoose) continue;
+        FluidSnapshot::Speck& speck = out.specks.emplace_back();
+        const Vec3 at = debris_place(scene, state, i);
+        for (int k = 0; k < 3; ++k) speck.at_m[k] = static_cast<float>(at[k]);
+        speck.radius_m = irrigation.debris[i].radius_m;
+        speck.blood = irrigation.debris[i].kind == DebrisKind::kBlood ? 1 : 0;
+        speck.loose = fate == DebrisFate::kLoose ? 1 : 0;
+    }
+    for (size_t t = 0; t < out.jet_m.size(); ++t) {
+        const auto length = static_cast<double>(state.irrigation.tips[t].jet_m);
+        out.jet_m[t] = static_cast<float>(length);
+        out.jet_radius_m[t] = static_cast<float>(irrigation.jet.bore_m / 2);
+        out.jet_end_radius_m[t] = static_cast<float>(
+            std::max(irrigation.jet.bore_m / 2, 0.6 * jet_width_m(irrigation.jet, length)));
+    }
 }
 
 }  // namespace
@@ -78,6 +116,7 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
     }
     out.slit = scene.slit.present() ? 1 : 0;
     if (scene.suture) fill_needle(scene, state, out.needle);
+    if (scene.irrigation) fill_fluid(scene, state, out.fluid);
     out.contour_cut.assign(state.progress.cut.begin(), state.progress.cut.end());
     out.contour.resize(scene.contour_anchors.size());
     for (size_t i = 0; i < out.contour.size(); ++i) {

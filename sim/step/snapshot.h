@@ -35,6 +35,20 @@ struct NeedleSnapshot {
         loop;  ///< At its tail [m], closed; empty = none, or not seen.
 };
 
+/// Standing fluid by cells, debris, jets; empty in scenes without irrigation.
+struct FluidSnapshot {
+    double x_m = 0, y_m = 0, cell_m = 1;  ///< Of the grid.
+    int columns = 0, rows = 0;
+    std::vector<float> ground_m, depth_m, blood_m;  ///< (columns x rows); blood as a depth.
+    struct Speck {
+        std::array<float, 3> at_m{};
+        float radius_m = 0;
+        uint8_t blood = 0, loose = 0;
+    };
+    std::vector<Speck> specks;  ///< Debris that is left.
+    std::array<float, kMaxTools> jet_m{}, jet_radius_m{}, jet_end_radius_m{};  ///< 0 = no jet.
+};
+
 struct Snapshot {
     int64_t frame = 0;
     double time_s = 0;
@@ -50,6 +64,7 @@ struct Snapshot {
     std::array<ToolSnapshot, kMaxTools> tools{};
     int tool_count = 0;
     NeedleSnapshot needle;
+    FluidSnapshot fluid;
     std::vector<uint8_t> contour_cut;           ///< Per planned-contour point.
     std::vector<std::array<float, 3>> contour;  ///< Deformed planned contour [m].
     std::vector<int32_t> origin;  ///< Of the copies that cutting made: vertex of the field (V0 ..).

@@ -9,6 +9,7 @@
 
 #include "ui/view/depth_cue.h"
 #include "ui/view/field_renderer.h"
+#include "ui/view/fluid_renderer.h"
 #include "ui/view/mark_renderer.h"
 #include "ui/view/needle_renderer.h"
 #include "ui/view/overlay_colours.h"
@@ -49,6 +50,7 @@ struct FetoscopeView::Impl {
     ToolRenderer instruments;
     NeedleRenderer needle;
     PatchRenderer patch;
+    FluidRenderer fluid;
     SmokeRenderer puffs;
     MarkRenderer marks;
     DepthCue depth_cue;
@@ -156,6 +158,10 @@ void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayStat
     if (!snapshot.patch.empty()) {
         tool.use();
         patch.draw(snapshot, tool);
+    }
+    if (snapshot.fluid.columns > 0) {
+        tool.use();
+        fluid.draw(snapshot, tool);
     }
     draw_depth(snapshot, overlay);
 

@@ -11,7 +11,17 @@
 
 namespace placode::view {
 
-enum class ToolMaterial { kSteel = 0, kInsulation = 1, kCeramic = 2, kThread = 3, kPatch = 4 };
+enum class ToolMaterial {
+    kSteel = 0,
+    kInsulation = 1,
+    kCeramic = 2,
+    kThread = 3,
+    kPatch = 4,
+    kPool = 5,
+    kJet = 6,
+    kCrumb = 7,
+    kSpot = 8
+};
 
 /// Triangles of one instrument in T [mm]; `jaw`: -1 and +1 turn about the hinge, 0 is fixed.
 struct ToolModel {

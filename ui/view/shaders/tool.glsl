@@ -20,6 +20,57 @@ vec3 surroundings(vec3 r) {
     return c + vec3(0.9) * pow(saturate(dot(r, -view_axis)), 24.0);
 }
 
+// Standing fluid (depth and depth of blood in it [mm]), jets (along, around, share of the way),
+// crumbs of char and spots of blood: translucent, wet.
+vec4 fluid_colour(vec3 n, vec3 v, vec3 l, float reach) {
+    float shade = tool_shade(v_position, n, l);
+    float nl = saturate(dot(n, l)), nv = saturate(dot(n, v));
+    if (v_rest.x > 7.5) {  // spot of blood
+        vec3 base = vec3(0.115, 0.006, 0.005);
+        vec3 wet = base * (0.15 + 0.85 * nl) * reach * shade;
+        wet += min(highlight(n, v, l, 0.08, 0.04), 3.0) * reach * shade;
+        return vec4(wet, 0.93 * smoothstep(0.0, 0.35, v_rest.w));
+    }
+    if (v_rest.x > 6.5) {  // crumb of char
+        float rough = texture(noise_map, vec2(0.31 * v_rest.y + 0.4 * v_rest.z, 0.7 * v_rest.w)).r;
+        vec3 base = mix(vec3(0.006, 0.005, 0.005), vec3(0.050, 0.032, 0.022), sq(rough));
+        vec3 dull = base * (0.2 + 0.8 * nl) * reach * shade;
+        return vec4(dull + min(highlight(n, v, l, 0.30, 0.04), 1.0) * reach * shade, 1.0);
+    }
+    if (v_rest.x > 5.5) {  // jet: clear, seen by its edges and by what it mirrors; it ripples
+        float run = v_rest.y * 0.09 - time_s * 9.0;
+        vec4 ripple = texture(noise_map, vec2(run, 0.32 * v_rest.z));
+        vec3 m = normalize(n + 0.9 * (ripple.bar - 0.5));
+        float edge = pow(1.0 - saturate(dot(m, v)), 2.0);
+        vec3 c = vec3(0.42, 0.40, 0.39) * (0.25 + 0.75 * edge) * reach;
+        c += min(highlight(m, v, l, 0.05, 0.05), 8.0) * reach;
+        float frayed = smoothstep(0.25, 0.75, ripple.g + 0.6 * (1.0 - v_rest.w));
+        return vec4(c, (0.18 + 0.45 * edge) * mix(0.45, 1.0, frayed) *
+                           (1.0 - smoothstep(0.86, 1.0, v_rest.w)));
+    }
+    // Pool. Blood takes the light as in sim/fluid/pool.cpp; without it the surface shows by what it
+    // mirrors and by a little haze.
+    float depth = v_rest.y, hidden = 1.0 - exp(-30.0 * max(v_rest.z, 0.0));
+    vec2 q = v_position.xy;
+    vec4 swell = texture(noise_map, q * 0.045 + vec2(0.021, -0.017) * time_s);
+    vec4 swell2 = texture(noise_map, q * 0.11 - vec2(0.027, 0.020) * time_s);
+    vec3 m = normalize(n + vec3((swell.ba - 0.5) * 0.10 + (swell2.ba - 0.5) * 0.05, 0.0));
+    float shore = smoothstep(0.05, 0.22, depth);
+    vec3 thick = vec3(0.150, 0.010, 0.008), thin = vec3(0.46, 0.10, 0.080);
+    vec3 tint = mix(thin, thick, sq(hidden)) * (0.30 + 0.70 * saturate(dot(m, l)));
+    float mirror = 0.02 + 0.98 * pow(1.0 - saturate(dot(m, v)), 5.0);
+    vec3 shine = mirror * surroundings(reflect(-v, m)) * reach * 2.0 +
+                 min(highlight(m, v, l, 0.012, 0.02), 20.0) * reach * shade;
+    // Its rim climbs the tissue a little and catches the light all round.
+    float rim = smoothstep(0.03, 0.12, depth) * (1.0 - smoothstep(0.12, 0.40, depth));
+    shine += rim * (0.05 + 0.10 * swell2.r) * reach * shade;
+    float body = max(hidden, 0.20 * (1.0 - exp(-1.2 * depth)));
+    float gloss = saturate(dot(shine, vec3(0.34)));
+    float alpha = shore * saturate(0.97 * body + gloss);
+    vec3 c = (tint * reach * shade * body + shine) / max(saturate(body + gloss), 1e-3);
+    return vec4(c, alpha);
+}
+
 void main() {
     vec3 n = normalize(v_normal);
     vec3 v = normalize(eye - v_position);
@@ -47,6 +98,9 @@ void main() {
         // Laser-marked depth rings, every 10 mm.
         float ring = smoothstep(0.30, 0.15, abs(mod(v_rest.y, 10.0) - 9.0));
         result += ring * vec3(0.13, 0.13, 0.12) * nl * reach;
+    } else if (v_rest.x > 4.5) {
+        colour = fluid_colour(n, v, l, reach);
+        return;
     } else if (v_rest.x > 3.5) {  // patch: soaked felt of collagen, drawn over what lies below
         vec2 q = v_rest.yz;
         vec4 soaked = texture(noise_map, q * 0.11);
