@@ -66,6 +66,7 @@ class AttemptMaker {
         for (const curriculum::TaskStep& step : task.steps) kinds.push_back(step.goal.kind);
         if (is_row(kinds)) mark_bite(recording, 0, 0, 0);
         if (task.scene.patch) lay_patch(recording, 0);
+        if (task.scene.irrigation) wash(recording, 0);
         return recording;
     }
 
@@ -82,6 +83,10 @@ class AttemptMaker {
             lay_patch(recording, share);
             if (share > 0)
                 put(recording, EventKind::kGrasped, 2, 3, 0.1, 0.004, 0, 0, sim::Tissue::kDura);
+        }
+        if (has_wash(recording)) {
+            std::erase_if(recording.events, is_of_wash);
+            wash(recording, share);
         }
         const int grasps = has_patch(recording) ? 0 : static_cast<int>(std::lround(share * 3));
         for (int i = 0; i < grasps; ++i) {
@@ -106,11 +111,11 @@ class AttemptMaker {
             &AttemptMaker::bury,          &AttemptMaker::stretch,      &AttemptMaker::jaws,
             &AttemptMaker::snip_skin,     &AttemptMaker::miss,         &AttemptMaker::cut_astray,
             &AttemptMaker::dawdle,        &AttemptMaker::look_away,    &AttemptMaker::stitch,
-            &AttemptMaker::shift_patch};
+            &AttemptMaker::shift_patch,   &AttemptMaker::wash_badly};
         (this->*kinds[which])(recording);
         sort(recording);
     }
-    static constexpr size_t kHarms = 16;
+    static constexpr size_t kHarms = 17;
 
     /// Some of what is asked, some harm.
     sim::Recording some(const curriculum::Task& task) {
@@ -220,6 +225,38 @@ class AttemptMaker {
             shut(recording, share);
         for (int bin = 0; bin < static_cast<int>(std::lround(share * sim::kTraceBins)); ++bin)
             put(recording, sim::EventKind::kTraced, 3 + 0.3 * bin, bin, 0.0001);
+    }
+
+    static bool is_of_wash(const Event& e) { return e.kind == EventKind::kIrrigated; }
+    static bool has_wash(const sim::Recording& recording) {
+        return std::any_of(recording.events.begin(), recording.events.end(), is_of_wash);
+    }
+    static Event& sum(sim::Recording& recording, sim::IrrigationSum what, double value,
+                      double value2) {
+        Event& e = put(recording, EventKind::kIrrigated, 30, value, value2);
+        e.element = static_cast<int32_t>(what);
+        return e;
+    }
+    /// Twelve crumbs and spots, a share of them cleared without harm; 0 = nothing was done.
+    static void wash(sim::Recording& recording, double share) {
+        using Sum = sim::IrrigationSum;
+        sum(recording, Sum::kJet, 200 * share, 0);
+        sum(recording, Sum::kFluid, 2e-8, 2e-5 * share);
+        sum(recording, Sum::kView, 0.05, 0);
+        sum(recording, Sum::kSuction, 0, 0);
+        sum(recording, Sum::kDebris, 12, 12 * (1 - share));
+    }
+    /// The jet too near, the sucker on tissue, fluid and blood left.
+    void wash_badly(sim::Recording& r) {
+        const int what = whole(0, 3);
+        const double more = number(0, 1);
+        for (Event& e : r.events) {
+            if (!is_of_wash(e) || e.element != what) continue;
+            const double most[]{2000, 2e-7, 1, 10}, most2[]{10, 0, 60, 5};
+            e.value += static_cast<float>(more * most[what]);
+            e.value2 += static_cast<float>(more * most2[what]);
+            if (what == 2) e.value = std::min(e.value, 1.0F);
+        }
     }
 
     static bool is_of_patch(const Event& e) {

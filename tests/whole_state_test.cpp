@@ -39,7 +39,7 @@ std::vector<Case> cases() {
     for (const char* task : {"familiarisation", "touch_targets", "trace_contour", "grasp_and_lift",
                              "two_handed_traction", "diathermy_ring_small", "diathermy_ring",
                              "scissors_resection", "sb_dissection", "sb_dissection_cystic",
-                             "suture_bite", "suture_run", "suture_slit", "patch_place"})
+                             "suture_bite", "suture_run", "suture_slit", "patch_place", "irrigate"})
         all.push_back({task, 6, 16});
     return all;
 }
