@@ -149,6 +149,11 @@ void visit_watertight(const V& v, W& w) {
 }
 
 template <class V, class P>
+void visit_plane(const V& v, P& p) {
+    v("strength_pa", p.strength_pa);
+}
+
+template <class V, class P>
 void visit_patch(const V& v, P& p) {
     v("length_m", p.length_m);
     v("width_m", p.width_m);
@@ -409,8 +414,11 @@ OperativeFieldSpec scene_from_json(const Json& scene, const std::string& origin,
         if (scene.contains("contact")) visit_contact(Reader{scene["contact"]}, spec.contact);
         spec.heat = scene.contains("heat") && scene["heat"].value("enabled", true);
         if (spec.heat) visit_heat(Reader{scene["heat"]}, spec.heat_settings);
-        for (const Json& tool : scene.value("tools", Json::array()))
+        if (scene.contains("plane")) visit_plane(Reader{scene["plane"]}, spec.plane.emplace());
+        for (const Json& tool : scene.value("tools", Json::array())) {
             visit_tool(Reader{tool}, spec.tools.emplace_back());
+            spec.tools.back().jaws_spread = tool.value("jaws_spread", false);
+        }
     } catch (const Json::exception& error) {
         // Only reachable when schema and code disagree.
         throw DefinitionError(origin, prefix, error.what());
@@ -438,12 +446,17 @@ Json scene_to_json(const OperativeFieldSpec& spec) {
         scene["irrigation"] = Json::object();
         visit_irrigation(Writer{scene["irrigation"]}, *spec.irrigation);
     }
+    if (spec.plane) {
+        scene["plane"] = Json::object();
+        visit_plane(Writer{scene["plane"]}, *spec.plane);
+    }
     scene["heat"]["enabled"] = spec.heat;
     visit_heat(Writer{scene["heat"]}, spec.heat_settings);
     scene["tools"] = Json::array();
     for (const ToolSpec& tool : spec.tools) {
         Json& entry = scene["tools"].emplace_back(Json::object());
         visit_tool(Writer{entry}, tool);
+        if (tool.jaws_spread) entry["jaws_spread"] = true;
     }
     return scene;
 }

@@ -128,6 +128,68 @@ TEST(ToolShape, ANeedleThroughATriangleIsReportedAsPiercing) {
     EXPECT_LT(found.value_m, 0);
 }
 
+ToolShape spread_grasper(double jaw_rad) {
+    ToolSpec spec;
+    spec.kind = ToolKind::kGrasper;
+    spec.shaft_radius_m = 0.001;
+    spec.tip_radius_m = 0.0006;
+    spec.tip_length_m = 0.012;
+    ToolShape shape = make_tool_shape(spec);
+    shape.spread_jaws(jaw_rad);
+    return shape;
+}
+
+/// Jaws that stand apart are two capsules from the hinge, each turned by half of the angle.
+TEST(ToolShape, SpreadJawsAreTwoTurnedCapsules) {
+    const double half = 0.3;
+    const ToolShape shape = spread_grasper(2 * half);
+    ASSERT_TRUE(shape.spread());
+    const Vec3 hinge(0, 0, -0.012);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> u(-0.006, 0.006);
+    for (int i = 0; i < 400; ++i) {
+        const Vec3 p(u(random), u(random), -0.004 + u(random));
+        double expected = 1;
+        for (const double side : {1.0, -1.0}) {
+            const Vec3 way(0, side * std::sin(half), std::cos(half));
+            const double along = std::clamp((p - hinge).dot(way), 0.0, 0.012 - 0.0006);
+            expected = std::min(expected, (p - hinge - along * way).norm() - 0.0006);
+        }
+        for (int part = 1; part < shape.count; ++part)
+            expected = std::min(expected, signed_distance(shape.parts[part], p).value_m);
+        const Distance d = signed_distance(shape, p);
+        EXPECT_NEAR(d.value_m, expected, 1e-8);
+        EXPECT_EQ(distance_value(shape, p), d.value_m);
+        EXPECT_NEAR(d.gradient.norm(), 1, 1e-9);
+        if (d.value_m < 1e-4 || std::abs(p.y()) < 1e-4) continue;
+        const double e = 1e-7;
+        EXPECT_NEAR(signed_distance(shape, p + e * d.gradient).value_m, d.value_m + e, 1e-10);
+    }
+}
+
+TEST(ToolShape, ATriangleIsTouchedByTheNearerJawAndShutJawsAreAsEver) {
+    const Triangle beside{Vec3(-0.001, 0.0045, -0.002), Vec3(0.001, 0.0045, -0.002),
+                          Vec3(0, 0.0045, 0.002)};
+    const TriangleDistance shut = nearest_on_triangle(spread_grasper(0), beside, 1);
+    EXPECT_NEAR(shut.value_m, 0.0045 - 0.0006, 1e-9);
+    // The tip's centre stands 11.4 mm from the hinge.
+    const double half = 0.3, tip = 0.0114 * std::sin(half);
+    const TriangleDistance open = nearest_on_triangle(spread_grasper(2 * half), beside, 1);
+    EXPECT_NEAR(open.value_m, 0.0045 - tip - 0.0006, 1e-6);
+    EXPECT_NEAR(open.gradient.y(), 1, 1e-3) << "away from the jaw, towards the triangle";
+    Triangle other = beside;
+    for (Vec3& x : other) x.y() = -x.y();
+    EXPECT_NEAR(nearest_on_triangle(spread_grasper(2 * half), other, 1).value_m, open.value_m,
+                1e-12);
+    EXPECT_NEAR(nearest_on_triangle(spread_grasper(2 * half), other, 1).gradient.y(), -1, 1e-3);
+    const ToolShape plain = make_tool_shape(needle());
+    ToolShape closed = plain;
+    closed.spread_jaws(0);
+    EXPECT_FALSE(closed.spread());
+    EXPECT_EQ(nearest_on_triangle(plain, beside, 1).value_m,
+              nearest_on_triangle(closed, beside, 1).value_m);
+}
+
 TEST(ToolShape, TheScopeIsAPlainCapsule) {
     ToolSpec scope;
     scope.kind = ToolKind::kScope;

@@ -154,6 +154,23 @@ class Checker {
                             "expected true");
     }
 
+    void plane() const {
+        for (const ToolSpec& t : spec_.tools) {
+            if (t.jaws_spread && t.kind != ToolKind::kGrasper)
+                throw MeshError("operative field '" + spec_.id +
+                                "': tools: jaws_spread: true, but only a grasper's jaws spread");
+        }
+        if (!spec_.plane) return;
+        const std::string field = "operative field '" + spec_.id + "': plane: ";
+        range("plane.strength_pa", spec_.plane->strength_pa, 100, 1e6);
+        range("spare_vertices", spec_.spare_vertices, 1, 20000);
+        if (!spec_.slit || spec_.slit->layers != kFieldLayers - 1)
+            throw MeshError(field + "no way leads there; expected a slit with layers 3");
+        if (spec_.heat)
+            throw MeshError(field + "it does not know heat; expected heat.enabled: false");
+        if (spec_.cystic) throw MeshError(field + "not in a cystic field; expected a flat one");
+    }
+
     /// What a patch cannot be together with, yet.
     void beside_patch() const {
         const std::string field = "operative field '" + spec_.id + "': patch: ";
@@ -257,6 +274,7 @@ class Checker {
         sac();
         suture();
         slit();
+        plane();
         patch();
         irrigation();
         range("bed_normal_pa_m", spec_.bed_normal_pa_m, 0, 1e12);

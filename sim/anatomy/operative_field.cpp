@@ -10,6 +10,7 @@
 #include "sim/anatomy/field_irrigation.h"
 #include "sim/anatomy/field_mesh.h"
 #include "sim/anatomy/field_patch.h"
+#include "sim/anatomy/field_plane.h"
 #include "sim/anatomy/field_sac.h"
 #include "sim/anatomy/field_supports.h"
 #include "sim/anatomy/field_suture.h"
@@ -158,7 +159,7 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     const bool scissors = std::any_of(spec.tools.begin(), spec.tools.end(), [](const ToolSpec& t) {
         return t.kind == ToolKind::kScissors;
     });
-    if (scissors) body.spare_vertices = spec.spare_vertices;
+    if (scissors || spec.plane) body.spare_vertices = spec.spare_vertices;
     std::optional<Patch> patch = add_patch(spec, field, body);
     std::optional<Irrigation> irrigation = add_irrigation(spec, shape, field, body);
 
@@ -169,6 +170,7 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     scene->slit = field.slit;
     scene->irrigation = std::move(irrigation);
     uncover_slit(field, scene->surface);
+    scene->plane = make_plane(spec, field, scene->surface);
     scene->contact = spec.contact;
     scene->cut_snap = spec.cut_snap;
     scene->tear_radius_m = spec.tear_radius_m;

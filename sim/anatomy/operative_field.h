@@ -40,6 +40,11 @@ struct FieldSlit {
     std::optional<WatertightSpec> watertight = std::nullopt;  ///< Slit::watertight.
 };
 
+/// The plane in which skin is undermined: subcutis parts from the fascia below it.
+struct FieldPlane {
+    double strength_pa = 10e3;  ///< Traction at which it parts; a planning value.
+};
+
 /// A patch to cover the lesion with, flat and free at the start. All planning values, after
 /// dura substitutes of collagen (docs/patch.md); a fetal surgeon must confirm them.
 struct FieldPatch {
@@ -124,6 +129,7 @@ struct OperativeFieldSpec {
     std::optional<FieldPatch> patch;
     std::optional<FieldIrrigation> irrigation;
     std::vector<ToolSpec> tools;
+    std::optional<FieldPlane> plane;
 };
 
 /// Builds the scene. Throws MeshError naming what cannot be meshed. Deterministic in `spec`.

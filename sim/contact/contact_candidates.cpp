@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "sim/contact/contact.h"
+#include "sim/contact/jaw_spread.h"
 #include "sim/contact/patch_contact.h"
 #include "sim/contact/tool_contact.h"
 #include "sim/core/float_lanes.h"
@@ -91,6 +92,7 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
         state.colour.fitted = state.surface.version();
     }
     const double stale = refit ? 0 : kTissueReach;
+    spread_jaws(scene, state);
     const auto triangles = state.surface.triangles();
     std::optional<PatchGroups> groups;
     for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {

@@ -8,6 +8,7 @@
 
 #include "sim/contact/contact.h"
 #include "sim/contact/contact_core.h"
+#include "sim/contact/jaw_spread.h"
 #include "sim/core/as_index.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
@@ -65,6 +66,7 @@ void finish_contacts(State& state) noexcept {
         tool.substep_overlap_m = std::max(tool.substep_overlap_m, -gap);
         if (c.tissue == Tissue::kPlacode) tool.placode_force_n += share * force;
     });
+    weigh_jaws(state);
     std::array<double, kMaxTools> stiffness{};
     for (int i = 0; i < set.vertex_count; ++i) {
         ContactVertex& touched = set.vertices[i];

@@ -40,6 +40,10 @@ inline constexpr uint8_t kPedalCoag = 2;  ///< Blue pedal.
 struct ToolSpec {
     ToolKind kind = ToolKind::kNeedle;
     Hand hand = Hand::kRight;
+    /// Each jaw of a grasper touches tissue where it is, so that jaws that open push to both sides,
+    /// no harder than jaw_force_n each. Else they touch as if they were shut, as in recordings of
+    /// before.
+    bool jaws_spread = false;
     Vec3 pivot_m = Vec3(-0.020, -0.055, 0.060);  ///< Trocar point in W.
     double shaft_radius_m = 0.0015;
     double length_m = 0.200;

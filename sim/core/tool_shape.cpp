@@ -106,6 +106,36 @@ double foot_of(const RoundCone& part, const Vec3& p, const Vec3& gradient) noexc
 
 }  // namespace
 
+namespace {
+
+/// A place or direction of T as one of the jaws sees it that was turned to `side` (1 = towards +y),
+/// and back.
+class Jaw {
+ public:
+    Jaw(const ToolShape& shape, double side) noexcept
+        : sine_(side * static_cast<double>(shape.spread_sine)),
+          cosine_(std::sqrt(1 - sine_ * sine_)),
+          hinge_m_(shape.parts[0].far_m) {}
+    [[nodiscard]] Vec3 seen(const Vec3& p_T) const noexcept {
+        const double z = p_T.z() + hinge_m_;
+        return {p_T.x(), cosine_ * p_T.y() - sine_ * z, sine_ * p_T.y() + cosine_ * z - hinge_m_};
+    }
+    [[nodiscard]] Vec3 back(const Vec3& n) const noexcept {
+        return {n.x(), cosine_ * n.y() + sine_ * n.z(), cosine_ * n.z() - sine_ * n.y()};
+    }
+
+ private:
+    double sine_, cosine_, hinge_m_;
+};
+
+}  // namespace
+
+void ToolShape::spread_jaws(double jaw_rad) noexcept {
+    // By the series: the library's last bit depends on the processor. At 0.5 rad right to 2e-6.
+    const double half = std::clamp(jaw_rad / 2, 0.0, 1.0), square = half * half;
+    spread_sine = static_cast<float>(half * (1 - square / 6 * (1 - square / 20)));
+}
+
 RoundCone::RoundCone(double near, double far, double near_radius, double far_radius) noexcept
     : near_m(near),
       far_m(far),
@@ -184,14 +214,35 @@ Distance signed_distance(const RoundCone& part, const Vec3& p_T) noexcept {
 }
 
 double distance_value(const ToolShape& shape, const Vec3& p_T) noexcept {
-    double best = beside(shape.parts[0], p_T).value_m;
+    double best = 0;
+    if (shape.spread())
+        best = std::min(beside(shape.parts[0], Jaw(shape, 1).seen(p_T)).value_m,
+                        beside(shape.parts[0], Jaw(shape, -1).seen(p_T)).value_m);
+    else
+        best = beside(shape.parts[0], p_T).value_m;
     for (int i = 1; i < shape.count; ++i)
         best = std::min(best, beside(shape.parts[i], p_T).value_m);
     return best;
 }
 
+namespace {
+
+/// Of the first part: of the nearer jaw where they are spread.
+Distance distance_to_tip(const ToolShape& shape, const Vec3& p_T) noexcept {
+    if (!shape.spread()) return signed_distance(shape.parts[0], p_T);
+    const Jaw left(shape, 1), right(shape, -1);
+    Distance a = signed_distance(shape.parts[0], left.seen(p_T));
+    Distance b = signed_distance(shape.parts[0], right.seen(p_T));
+    const bool first = a.value_m <= b.value_m;
+    Distance& nearer = first ? a : b;
+    nearer.gradient = (first ? left : right).back(nearer.gradient);
+    return nearer;
+}
+
+}  // namespace
+
 Distance signed_distance(const ToolShape& shape, const Vec3& p_T) noexcept {
-    Distance best = signed_distance(shape.parts[0], p_T);
+    Distance best = distance_to_tip(shape, p_T);
     for (int i = 1; i < shape.count; ++i) {
         const Distance d = signed_distance(shape.parts[i], p_T);
         if (d.value_m < best.value_m) best = d;
@@ -229,38 +280,65 @@ Vec3 closest_on_triangle(const Vec3& p, const Triangle& t) noexcept {
     return {va / sum, vb / sum, vc / sum};
 }
 
+namespace {
+
+/// A triangle that looks for the nearest part.
+struct Seeker {
+    explicit Seeker(const Triangle& triangle) noexcept
+        : tri(triangle), centre((tri[0] + tri[1] + tri[2]) / 3) {
+        size = std::sqrt(std::max({(tri[0] - centre).squaredNorm(), (tri[1] - centre).squaredNorm(),
+                                   (tri[2] - centre).squaredNorm()}));
+    }
+    /// True where the part is nearer than what was found before.
+    bool look_at(const RoundCone& part, int number, TriangleDistance& best) const noexcept;
+
+    Triangle tri;
+    Vec3 centre;
+    double size = 0;
+};
+
+bool Seeker::look_at(const RoundCone& part, int number, TriangleDistance& best) const noexcept {
+    // The distance changes by no more than the way, so most triangles end here.
+    if (beside(part, centre).value_m > best.value_m + size) return false;
+    bool pierced = false;
+    Vec3 w = nearest_to_axis(part, tri, pierced);
+    Vec3 x = w.x() * tri[0] + w.y() * tri[1] + w.z() * tri[2];
+    Distance d = signed_distance(part, x);
+    if (!pierced && part.near_radius_m != part.far_radius_m) {
+        // On a cone the nearest point of the axis is not the nearest sphere: descend by turns in
+        // point and sphere; both sets are convex, so every turn lowers the distance.
+        for (int turn = 0; turn < 8; ++turn) {
+            const Vec3 centre_T(0, 0, -foot_of(part, x, d.gradient));
+            const Vec3 next_w = closest_on_triangle(centre_T, tri);
+            const Vec3 next = next_w.x() * tri[0] + next_w.y() * tri[1] + next_w.z() * tri[2];
+            const Distance next_d = signed_distance(part, next);
+            if (next_d.value_m > d.value_m - 1e-9) break;
+            w = next_w;
+            x = next;
+            d = next_d;
+        }
+    }
+    if (!(d.value_m < best.value_m)) return false;
+    best = {d.value_m, w, d.gradient, number, pierced};
+    return true;
+}
+
+}  // namespace
+
 TriangleDistance nearest_on_triangle(const ToolShape& shape, const Triangle& tri,
                                      double limit_m) noexcept {
     TriangleDistance best;
     best.value_m = limit_m;
-    const Vec3 centre = (tri[0] + tri[1] + tri[2]) / 3;
-    const double size =
-        std::sqrt(std::max({(tri[0] - centre).squaredNorm(), (tri[1] - centre).squaredNorm(),
-                            (tri[2] - centre).squaredNorm()}));
-    for (int i = 0; i < shape.count; ++i) {
-        const RoundCone& part = shape.parts[i];
-        // The distance changes by no more than the way, so most triangles end here.
-        if (beside(part, centre).value_m > best.value_m + size) continue;
-        bool pierced = false;
-        Vec3 w = nearest_to_axis(part, tri, pierced);
-        Vec3 x = w.x() * tri[0] + w.y() * tri[1] + w.z() * tri[2];
-        Distance d = signed_distance(part, x);
-        if (!pierced && part.near_radius_m != part.far_radius_m) {
-            // On a cone the nearest point of the axis is not the nearest sphere: descend by turns
-            // in point and sphere; both sets are convex, so every turn lowers the distance.
-            for (int turn = 0; turn < 8; ++turn) {
-                const Vec3 centre_T(0, 0, -foot_of(part, x, d.gradient));
-                const Vec3 next_w = closest_on_triangle(centre_T, tri);
-                const Vec3 next = next_w.x() * tri[0] + next_w.y() * tri[1] + next_w.z() * tri[2];
-                const Distance next_d = signed_distance(part, next);
-                if (next_d.value_m > d.value_m - 1e-9) break;
-                w = next_w;
-                x = next;
-                d = next_d;
-            }
+    const Seeker seeker(tri);
+    if (shape.spread()) {
+        for (const double side : {1.0, -1.0}) {
+            const Jaw jaw(shape, side);
+            const Seeker turned({jaw.seen(tri[0]), jaw.seen(tri[1]), jaw.seen(tri[2])});
+            if (turned.look_at(shape.parts[0], 0, best)) best.gradient = jaw.back(best.gradient);
         }
-        if (d.value_m < best.value_m) best = {d.value_m, w, d.gradient, i, pierced};
     }
+    for (int i = shape.spread() ? 1 : 0; i < shape.count; ++i)
+        static_cast<void>(seeker.look_at(shape.parts[i], i, best));
     return best;
 }
 

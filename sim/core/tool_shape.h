@@ -27,15 +27,21 @@ struct RoundCone {
     double cosine = 1, sine = 0;                 ///< Of the half angle, thinner backwards.
 };
 
-/// Parts from the tip backwards, in frame T.
+/// Parts from the tip backwards, in frame T. Where jaws are spread the first part stands there
+/// twice, turned about x at its far end by half of the angle between them, to either side.
 struct ToolShape {
     std::array<RoundCone, 3> parts{};
-    int count = 0;
-    int bare_parts = 0;  ///< The first parts are bare metal; the rest is insulated.
+    int16_t count = 0;
+    int16_t bare_parts = 0;  ///< The first parts are bare metal; the rest is insulated.
+    float spread_sine = 0;   ///< Of half the angle between the jaws; 0 = shut.
+
+    [[nodiscard]] bool spread() const noexcept { return spread_sine > 0; }
+    /// @param jaw_rad between the jaws, 0 to 2.
+    void spread_jaws(double jaw_rad) noexcept;
 };
 
-/// Shape of an instrument: tip capsule, shoulder cone, shaft capsule. Jaws count as closed. The
-/// scope is a plain capsule of its shaft radius.
+/// Shape of an instrument: tip capsule, shoulder cone, shaft capsule. Jaws are shut. The scope is a
+/// plain capsule of its shaft radius.
 [[nodiscard]] ToolShape make_tool_shape(const ToolSpec& spec) noexcept;
 
 struct Distance {

@@ -16,6 +16,7 @@
 #include "sim/cutting/diathermy.h"
 #include "sim/cutting/grasp.h"
 #include "sim/cutting/pieces.h"
+#include "sim/cutting/plane_parting.h"
 #include "sim/cutting/sac.h"
 #include "sim/cutting/scissors.h"
 #include "sim/cutting/separation.h"
@@ -240,6 +241,7 @@ void give_feedback(const Scene& scene, State& state, std::span<ToolFeedback> fee
 void part_tissue(const Scene& scene, State& state) noexcept {
     run_scissors(scene, state);
     tear(scene, state);
+    part_plane(scene, state);
     separate(scene, state);
     update_pieces(scene, state);
     // A flood over the whole body: now and then is enough to notice what has come loose.

@@ -15,6 +15,7 @@
 #include "sim/mesh/surface.h"
 #include "sim/solver/soft_body.h"
 #include "sim/suture/suture.h"
+#include "sim/world/dissection_plane.h"
 #include "sim/world/irrigation.h"
 #include "sim/world/patch.h"
 #include "sim/world/sac_state.h"
@@ -113,6 +114,7 @@ struct Scene {
     std::vector<std::string>
         notes;  ///< What the loader found: Courant numbers, qualities, choices.
     std::optional<Irrigation> irrigation;  ///< Fluid and debris; absent = costs nothing.
+    DissectionPlane plane;                 ///< To be undermined; absent in most scenes.
 };
 
 }  // namespace placode::sim

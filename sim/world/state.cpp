@@ -97,7 +97,8 @@ State::State(const Scene& scene, int threads)
       patch(scene),
       workers(std::make_unique<Workers>(threads)),
       scratch(std::make_unique<Scratch>(scene, &progress)),
-      irrigation(scene) {
+      irrigation(scene),
+      undermining(scene) {
     sleep.follow_leaves(surface.tree(), scene.body.mesh());
     for (auto& row : tool_side) row.fill(Vec3::Zero());
     colour.vertex.assign(kMostContactVertices, -1);

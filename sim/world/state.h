@@ -25,6 +25,7 @@
 #include "sim/world/separation_state.h"
 #include "sim/world/suturing_state.h"
 #include "sim/world/tool_state.h"
+#include "sim/world/undermining_state.h"
 
 namespace placode::sim {
 
@@ -77,6 +78,7 @@ struct State {
     struct Scratch;  ///< Lists of one frame: sim/world/scratch.h.
     std::unique_ptr<Scratch> scratch;
     IrrigationState irrigation;
+    UnderminingState undermining;
     ~State();
 };
 
@@ -87,12 +89,12 @@ void fields(Of<State> auto& s, Visit&& visit) {
            tool_side, grasps, scissors, suturing, release, resection, pieces, splits, slides,
            slides_refused, held_by, progress, removed_m3, vapour_rate_m3_s, colour, separation,
            flood, ledger, gone_by_heat, friction, stretch_count, loose_version, patch, events,
-           event_count, flags, workers, scratch, irrigation] = s;
+           event_count, flags, workers, scratch, irrigation, undermining] = s;
     visit.state(frame, time_s, substeps, phase, body, sleep, surface, self_contact, sac, heat,
                 tools, tool_side, grasps, scissors, suturing, release, resection, pieces, splits,
                 slides, slides_refused, held_by, progress, removed_m3, vapour_rate_m3_s, colour,
                 separation, flood, ledger, gone_by_heat, friction, stretch_count, loose_version,
-                patch, irrigation);
+                patch, irrigation, undermining);
     // Of one frame; threads; lists of one frame.
     visit.constant(events, event_count, flags, workers, scratch);
 }

@@ -141,6 +141,11 @@ uint64_t state_hash(const State& state) noexcept {
                                fluid.held_s, fluid.placode_held_s, fluid.jet_m3})
             hash.add(d);
     }
+    hash.all(state.undermining.over_count);
+    for (const SpreadJaws& jaws : state.undermining.jaws) {
+        hash.add(jaws.rad);
+        hash.add(jaws.push_n);
+    }
     hash.add(state.release.free_count);
     hash.add(state.release.next);
     hash.add(state.pieces.out);
