@@ -12,6 +12,7 @@
 #include "sim/ledger/damage.h"
 #include "sim/step/patch_when_let_go.h"
 #include "sim/step/slit_when_let_go.h"
+#include "sim/step/undermining_when_let_go.h"
 
 namespace placode::curriculum {
 
@@ -115,6 +116,8 @@ void AttemptFrames::close(sim::State& state, AttemptBook& book) noexcept {
         for (const sim::Event& event : sim::slit_when_let_go(*scene_, state)) book.write(event);
         for (const sim::Event& event : sim::patch_when_let_go(*scene_, state)) book.write(event);
         for (const sim::Event& event : sim::irrigation_events(*scene_, state)) book.write(event);
+        for (const sim::Event& event : sim::undermining_when_let_go(*scene_, state))
+            book.write(event);
         for (const sim::Event& event : sim::closing_events(*scene_, state)) book.write(event);
     } catch (const std::exception&) {
         // Without memory for it gaps or thermal spread are not known; the attempt is.
@@ -147,6 +150,7 @@ std::vector<sim::Event> AttemptFrames::entries_if_closed(const sim::State& state
     add(sim::slit_when_let_go(*scene_, state));
     add(sim::patch_when_let_go(*scene_, state));
     add(sim::irrigation_events(*scene_, state));
+    add(sim::undermining_when_let_go(*scene_, state));
     add(sim::spread_events(*scene_, state));
     return all;
 }

@@ -151,6 +151,10 @@ std::string_view event_name(EventKind kind) noexcept {
             return "irrigated";
         case EventKind::kDebrisLeft:
             return "debris_left";
+        case EventKind::kUndermined:
+            return "undermined";
+        case EventKind::kClosingTension:
+            return "closing_tension";
     }
     return "unknown";
 }
@@ -178,7 +182,8 @@ bool only_in_recording(EventKind kind) noexcept {
            kind == EventKind::kRingGap || kind == EventKind::kSlitGap ||
            kind == EventKind::kWatertight || kind == EventKind::kLedgerWritten ||
            kind == EventKind::kPatchEdge || kind == EventKind::kPatchFold ||
-           kind == EventKind::kIrrigated || kind == EventKind::kDebrisLeft;
+           kind == EventKind::kIrrigated || kind == EventKind::kDebrisLeft ||
+           kind == EventKind::kUndermined || kind == EventKind::kClosingTension;
 }
 
 }  // namespace placode::sim

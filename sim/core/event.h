@@ -137,6 +137,14 @@ enum class EventKind : uint16_t {
                           ///< value and value2 are
     kDebrisLeft = 106,  ///< after the last frame, one for each crumb or spot that is left: value =
                         ///< DebrisKind, value2 = 0 stuck, 1 loose, element = its number
+    // Undermining (sim/step/undermining_when_let_go.h), after the last frame.
+    kUndermined = 110,  ///< one for each line from a station of the slit outwards: value = how far
+                        ///< the skin is undermined there [m], value2 = side (1 left, -1 right),
+                        ///< element = line, rest_position = the edge. Element -1: value = number
+                        ///< of lines; -2: value, value2 = area undermined left, right [m^2]
+    kClosingTension = 111,  ///< pull of the edges at the midline: value = now, value2 = before
+                            ///< anything was done [N/m], element = station of the slit,
+                            ///< rest_position = its middle; -1 = of all
 };
 /// What a kIrrigated event tells: value, value2.
 enum class IrrigationSum : int32_t {
