@@ -97,19 +97,14 @@ void close_frames(FrameParts& costs) {
     costs.awake /= costs.frames;
 }
 
-FrameParts measure_frames(const sim::Scene& scene, const WorkCase& what, int threads, int frames) {
+FrameParts measure_hands(const sim::Scene& scene, sim::State& state, const std::string& name,
+                         const FrameRange& range, const Hands& hands) {
     FrameParts costs;
-    costs.case_name = what.name;
-    costs.threads = threads;
-    sim::State state(scene, threads);
-    sim::settle(scene, state, 0.3);
+    costs.case_name = name;
+    costs.threads = state.workers->threads();
     costs.substeps = state.substeps;
-    std::vector<sim::Vec3> contour(scene.contour_anchors.size());
-    sim::deformed_contour(scene, state, contour);
     std::vector<sim::ToolInput> inputs(scene.tools.size());
     std::vector<sim::ToolFeedback> feedback(inputs.size());
-
-    // Recorded as in an attempt, into a file that is thrown away.
     const auto path =
         std::filesystem::temp_directory_path() /
         ("placode-bench-" + std::to_string(Clock::now().time_since_epoch().count()) + ".placode");
@@ -119,10 +114,9 @@ FrameParts measure_frames(const sim::Scene& scene, const WorkCase& what, int thr
     header.geometry = scene.geometry;
     curriculum::AttemptRecorder recorder(db::create_recording_file(path.string()), header);
     recorder.start();
-    constexpr int kWarmUp = 100;
     int64_t dropped = 0;
-    for (int frame = 0; frame < frames + kWarmUp; ++frame) {
-        move_hands(scene, contour, what.work, frame, inputs);
+    for (int frame = range.first; frame < range.end; ++frame) {
+        hands(frame, inputs);
         const auto start = Clock::now();
         const sim::StepReport report = sim::step(scene, state, inputs, feedback);
         const auto stepped = Clock::now();
@@ -136,7 +130,7 @@ FrameParts measure_frames(const sim::Scene& scene, const WorkCase& what, int thr
             dropped += !recorder.put(state.events[static_cast<size_t>(e)]);
         }
         const auto end = Clock::now();
-        if (frame < kWarmUp) continue;
+        if (frame < range.counted) continue;
         const auto us = [](auto d) { return std::chrono::duration<double, std::micro>(d).count(); };
         add_frame(costs, report, state, us(end - stepped), us(end - start));
     }
@@ -147,6 +141,18 @@ FrameParts measure_frames(const sim::Scene& scene, const WorkCase& what, int thr
     }
     close_frames(costs);
     return costs;
+}
+
+FrameParts measure_frames(const sim::Scene& scene, const WorkCase& what, int threads, int frames) {
+    sim::State state(scene, threads);
+    sim::settle(scene, state, 0.3);
+    std::vector<sim::Vec3> contour(scene.contour_anchors.size());
+    sim::deformed_contour(scene, state, contour);
+    constexpr int kWarmUp = 100;
+    return measure_hands(scene, state, what.name, {0, kWarmUp, frames + kWarmUp},
+                         [&](int frame, std::vector<sim::ToolInput>& inputs) {
+                             move_hands(scene, contour, what.work, frame, inputs);
+                         });
 }
 
 }  // namespace placode::bench

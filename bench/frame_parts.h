@@ -4,6 +4,7 @@
 // What a frame of 1 ms costs and where it goes (solve, contact, heat, cut, rest, recording), on a
 // field, from hands off to cutting. Wall clock of every frame.
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -47,6 +48,17 @@ void add_frame(FrameParts& costs, const sim::StepReport& report, const sim::Stat
                double recording_us, double frame_us);
 /// After the last frame: sums of contacts and awake blocks become means.
 void close_frames(FrameParts& costs);
+
+/// Which frames of a case are done, and from which on they count.
+struct FrameRange {
+    int first = 0, counted = 0, end = 0;
+};
+/// Sets what the hands ask in a frame.
+using Hands = std::function<void(int frame, std::vector<sim::ToolInput>& inputs)>;
+/// Recorded as in an attempt, into a file that is thrown away.
+[[nodiscard]] FrameParts measure_hands(const sim::Scene& scene, sim::State& state,
+                                       const std::string& name, const FrameRange& range,
+                                       const Hands& hands);
 
 [[nodiscard]] FrameParts measure_frames(const sim::Scene& scene, const WorkCase& what, int threads,
                                         int frames);

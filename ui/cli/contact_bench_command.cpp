@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <memory>
-#include <optional>
 
 #include "bench/frame_parts.h"
+#include "bench/hard_scenes.h"
 #include "bench/recorded_frames.h"
 #include "curriculum/task.h"
 #include "db/recording_file.h"
@@ -28,12 +29,14 @@ using bench::other_share;
 using bench::percentile;
 using bench::sum;
 
+constexpr double kFrameS = 1e-3;  // in every task
+
 struct ContactBenchOptions {
     bool quick = false;
-    std::string out, task = "diathermy_ring", recording;
+    std::string out, task = "diathermy_ring", recording, scene;
 };
 
-Json to_json(const FrameParts& costs, double frame_s) {
+Json to_json(const FrameParts& costs) {
     Json parts = Json::object();
     for (int p = 0; p <= kParts; ++p) {
         parts[p < kParts ? kPartNames[p] : "frame"] = {{"mean_us", sum(costs.us[p]) / costs.frames},
@@ -48,7 +51,7 @@ Json to_json(const FrameParts& costs, double frame_s) {
             {"mean_contacts", costs.contacts},
             {"awake_share", costs.awake},
             {"share_of_all_but_solve", other_share(costs)},
-            {"all_but_solve_of_frame", other_of_frame(costs, frame_s)},
+            {"all_but_solve_of_frame", other_of_frame(costs, kFrameS)},
             {"parts", parts}};
 }
 
@@ -99,38 +102,55 @@ void draw(const std::string& path, const std::vector<FrameParts>& all) {
     reports::write_chart_png(chart, path);
 }
 
-/// All cases with so many threads.
-std::vector<FrameParts> measure(const sim::Scene& scene, const sim::Recording* recording,
-                                int threads, int frames) {
-    if (recording != nullptr) return bench::measure_recording(*recording, threads);
-    std::vector<FrameParts> all;
-    for (const bench::WorkCase& what : bench::work_cases())
-        all.push_back(bench::measure_frames(scene, what, threads, frames));
-    return all;
+/// What is measured: a field's work, a recorded attempt, or a scene that costs much.
+struct Measured {
+    std::string name;
+    size_t tets = 0, triangles = 0;
+    int frames = 0;  ///< A case; 0 = as many as it takes.
+    std::function<std::vector<FrameParts>(int threads)> measure;
+};
+
+Measured hard_scene(const ContactBenchOptions& options) {
+    const auto scenes = bench::hard_scenes();
+    const auto found = std::find_if(scenes.begin(), scenes.end(), [&](const bench::HardScene& s) {
+        return options.scene == s.name;
+    });
+    const auto field = found->field();
+    return {found->name, static_cast<size_t>(field->body.tet_count()),
+            field->surface.rest_triangles().size(), 0,
+            [found, quick = options.quick](int threads) { return found->measure(threads, quick); }};
 }
 
-int run(const Context& context, const ContactBenchOptions& options) {
-    std::optional<sim::Recording> recording;
-    if (!options.recording.empty()) recording = db::read_recording_file(options.recording);
+Measured measured(const ContactBenchOptions& options) {
+    if (!options.scene.empty()) return hard_scene(options);
+    std::shared_ptr<const sim::Recording> recording;
+    if (!options.recording.empty())
+        recording = std::make_shared<sim::Recording>(db::read_recording_file(options.recording));
     const curriculum::Task task =
         recording ? curriculum::load_task_text(recording->header.task_json, "recording")
                   : curriculum::load_task(options.task);
-    const auto scene = sim::build_operative_field(task.scene);
+    const std::shared_ptr<const sim::Scene> scene = sim::build_operative_field(task.scene);
     const int frames = options.quick ? 300 : 5000;
-    const double frame_s = scene->body.spec().solver.frame_s;
-    Json json{{"benchmark", "contact"},
-              {"machine", machine()},
-              {"task", task.id},
-              {"tets", scene->body.tet_count()},
-              {"triangles", scene->surface.rest_triangles().size()},
-              {"rows", Json::array()}};
+    return {task.id, static_cast<size_t>(scene->body.tet_count()),
+            scene->surface.rest_triangles().size(), recording ? 0 : frames, [=](int threads) {
+                if (recording) return bench::measure_recording(*recording, threads);
+                std::vector<FrameParts> all;
+                for (const bench::WorkCase& what : bench::work_cases())
+                    all.push_back(bench::measure_frames(*scene, what, threads, frames));
+                return all;
+            }};
+}
+
+int run(const Context& context, const ContactBenchOptions& options) {
+    const Measured what = measured(options);
+    Json json{{"benchmark", "contact"}, {"machine", machine()},        {"task", what.name},
+              {"tets", what.tets},      {"triangles", what.triangles}, {"rows", Json::array()}};
     std::vector<std::vector<std::string>> cells{
         {"case", "threads", "contacts", "awake", "solve", "contact", "heat", "cut", "rest",
          "recording", "frame", "p99", "p99.9", "all but solve", "of real time"}};
     std::vector<FrameParts> all;
     for (const int threads : {1, 2}) {
-        for (const FrameParts& costs :
-             measure(*scene, recording ? &*recording : nullptr, threads, frames)) {
+        for (const FrameParts& costs : what.measure(threads)) {
             std::vector<std::string> row{costs.case_name, std::to_string(threads),
                                          fixed(costs.contacts, 1),
                                          fixed(100 * costs.awake, 0) + " %"};
@@ -138,12 +158,12 @@ int run(const Context& context, const ContactBenchOptions& options) {
             row.push_back(fixed(percentile(costs.us[kParts], 0.99), 0));
             row.push_back(fixed(percentile(costs.us[kParts], 0.999), 0));
             row.push_back(fixed(100 * other_share(costs), 1) + " %");
-            row.push_back(fixed(100 * other_of_frame(costs, frame_s), 1) + " %");
+            row.push_back(fixed(100 * other_of_frame(costs, kFrameS), 1) + " %");
             std::cerr << costs.case_name << ", " << threads
                       << " thread(s): " << fixed(percentile(costs.us[kParts], 0.5), 0)
                       << " us a frame\n";
             cells.push_back(row);
-            json["rows"].push_back(to_json(costs, frame_s));
+            json["rows"].push_back(to_json(costs));
             all.push_back(costs);
         }
     }
@@ -158,11 +178,11 @@ int run(const Context& context, const ContactBenchOptions& options) {
     print(
         context, json,
         table(cells) + "Microseconds of wall clock, medians by part over " +
-            (recording ? "the recorded" : std::to_string(frames)) +
+            (what.frames == 0 ? "the case's" : std::to_string(what.frames)) +
             " frames of 1 ms; all but solve = share of the total time, and of the real time of the "
             "frames; " +
-            std::to_string(scene->body.tet_count()) + " tets, " +
-            std::to_string(all.front().substeps) + " substeps, kernels " + sim::kernel_target());
+            std::to_string(what.tets) + " tets, " + std::to_string(all.front().substeps) +
+            " substeps, kernels " + sim::kernel_target());
     return 0;
 }
 
@@ -180,6 +200,14 @@ void add_contact_bench_command(CLI::App& bench, Context& context) {
     command
         ->add_option("--recording", options->recording,
                      "Frames of a recorded attempt instead, step by step")
+        ->excludes(of_task);
+    std::vector<std::string> names;
+    for (const bench::HardScene& scene : bench::hard_scenes()) names.emplace_back(scene.name);
+    command
+        ->add_option("--scene", options->scene,
+                     "Needle and thread in a row of bites, or a patch: each state beside the same "
+                     "field without them")
+        ->check(CLI::IsMember(names))
         ->excludes(of_task);
     command->callback([&context, options] {
         context.run = [&context, options] { return run(context, *options); };
