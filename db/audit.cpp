@@ -3,8 +3,10 @@
 #include "db/audit.h"
 
 #include <QDateTime>
+#include <algorithm>
 
 #include "db/audit_check.h"
+#include "db/erasure.h"
 #include "db/store_context.h"
 #include "db/store_place.h"
 
@@ -40,11 +42,14 @@ void Audit::write(const std::string& actor, const std::string& action, const std
                   const std::string& detail) {
     connection_.begin_operation("write the audit trail of");
     context_.need(Action::kUseStore);
-    const std::string name = context_.kept_name(actor);
+    std::string name = context_.kept_name(actor);
     if (context_.actor.kind != Actor::Kind::kProgram && name != context_.actor.name)
         context_.refuse(Action::kActAs);
+    if (context_.actor.kind == Actor::Kind::kProgram) name = context_.without_names(name);
     UnitOfWork work(connection_);
-    context_.append_audit_as(name, action, object, detail);
+    // What a program reads again stays as it is, whatever somebody's log-in is.
+    context_.append_audit_as(name, action, context_.without_names(object),
+                             detail == kErasuresUnknown ? detail : context_.without_names(detail));
     work.commit();
 }
 
@@ -60,6 +65,21 @@ std::vector<AuditRecord> Audit::of_action(const std::string& action) {
     context_.need(Action::kViewAudit);
     Statement query(connection_, std::string(kEntries) + "WHERE action = ? ORDER BY id");
     return read_entries(context_, query.run(action));
+}
+
+std::vector<int64_t> Audit::naming(const std::vector<std::string>& words) {
+    connection_.begin_operation("look for a name in the audit trail of");
+    context_.need(Action::kViewAudit);
+    Statement query(connection_, "SELECT id, object, detail FROM audit ORDER BY id");
+    query.run();
+    std::vector<int64_t> found;
+    while (query.next()) {
+        const std::string said = query.text(1) + "\n" + query.text(2);
+        if (std::any_of(words.begin(), words.end(),
+                        [&](const std::string& word) { return holds_word(said, word); }))
+            found.push_back(query.integer(0));
+    }
+    return found;
 }
 
 std::optional<AuditRecord> Audit::first() {

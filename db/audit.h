@@ -30,11 +30,16 @@ class Audit {
     explicit Audit(StoreContext& context);
 
     /// What is no change of the store, such as an export. An account writes in its own name only.
+    /// Object and detail name nobody: whoever has an account and is named there, by log-in or name,
+    /// stands there by number.
     void write(const std::string& actor, const std::string& action, const std::string& object,
                const std::string& detail);
     [[nodiscard]] std::vector<AuditRecord> trail(int limit);  ///< Newest first.
     /// Oldest first.
     [[nodiscard]] std::vector<AuditRecord> of_action(const std::string& action);
+    /// Entries whose object or detail holds one of these words by itself, in whatever case: what an
+    /// earlier version wrote there, and where copies lie. They cannot be changed.
+    [[nodiscard]] std::vector<int64_t> naming(const std::vector<std::string>& words);
     /// The making of the store, which tells it from every other one; nullopt in an empty one.
     [[nodiscard]] std::optional<AuditRecord> first();
     /// Who has written into the trail, in the order of their first entries.

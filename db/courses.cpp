@@ -140,7 +140,8 @@ void Courses::grant_attempts(const GrantRecord& grant) {
              context_.actor.name, utc_now());
     context_.append_audit("course.grant", "user " + std::to_string(grant.user_id),
                           grant.course_id + "/" + grant.stage_id + " +" +
-                              std::to_string(grant.attempts) + ": " + grant.reason);
+                              std::to_string(grant.attempts) + ": " +
+                              context_.without_names(grant.reason));
     work.commit();
 }
 

@@ -145,7 +145,7 @@ void Definitions::publish(const DefinitionRecord& definition) {
                   {definition.kind, definition.id, std::to_string(definition.version)});
     context_.append_audit(definition.kind + ".publish",
                           definition.id + " version " + std::to_string(definition.version),
-                          definition.reason);
+                          context_.without_names(definition.reason));
     work.commit();
 }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/erasure.h"
 
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -10,6 +13,7 @@
 #include "db/sql_connection.h"
 #include "db/sqlite_file.h"
 #include "db/station.h"
+#include "db/store_context.h"
 #include "db/store_place.h"
 #include "db/store_url.h"
 
@@ -18,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kWithAttempts = "with attempts";  // In the trail: Accounts::erase().
+constexpr std::string_view kOrderSuffix = ".order.json";  // Beside a recording: ui/shell.
+constexpr const char* kWithAttempts = "with attempts";    // In the trail: Accounts::erase().
 
 /// Of a file: PATH.before-update-TIME, PATH.replaced-TIME and PATH.moved-TIME.
 std::vector<std::string> kept_beside(const std::string& path, bool of_updates_only = false) {
@@ -109,6 +114,34 @@ void remove_half_made(const std::vector<std::string>& backups, const StoreUrl& u
     if (is_file(url)) remove_sqlite_file(url.path + kRestoringSuffix);
 }
 
+/// Recordings beside an embedded store that a crash has left: with a file that says whose they are.
+void remove_leftovers(const StoreUrl& url, const UserRecord& user, Erasure& done) {
+    if (!is_file(url)) return;
+    std::error_code none;
+    const fs::path folder = fs::absolute(url.path).parent_path() / "recordings";
+    for (const auto& entry : fs::directory_iterator(folder, none)) {
+        const std::string order = entry.path().string();
+        const size_t length = order.size() - std::min(order.size(), kOrderSuffix.size());
+        if (order.substr(length) != kOrderSuffix) continue;
+        QFile file(QString::fromStdString(order));
+        if (!file.open(QIODevice::ReadOnly)) continue;
+        const QByteArray text = file.readAll();
+        const QJsonObject json = QJsonDocument::fromJson(text).object();
+        file.close();
+        const std::string recording = order.substr(0, length);
+        const bool of_a_study = !json["study"].toString().isEmpty();
+        if (json["user_id"].toInteger() == user.id && !of_a_study) {
+            remove_sqlite_file(recording);
+            if (fs::remove(order, none)) done.recordings.push_back(recording);
+        } else if (holds_word(text.toStdString(), user.login) ||
+                   holds_word(text.toStdString(), user.display_name)) {
+            done.left.push_back({order,
+                                 "an attempt that was not saved yet names the person: save "
+                                 "it, or delete it with its recording"});
+        }
+    }
+}
+
 std::string lines_of(const char* head, const std::vector<std::string>& lines) {
     if (lines.empty()) return {};
     std::string text = std::string(head) + "\n";
@@ -123,10 +156,15 @@ std::vector<std::string> copies_of(Store& store, const std::string& url) {
 }
 
 Erasure erase_person(Store& store, const std::string& url, int64_t user_id, bool with_attempts) {
-    Erasure done{user_id, with_attempts, utc_now(), {}, {}, {}, {}};
+    Erasure done{user_id, with_attempts, utc_now(), {}, {}, {}, {}, {}, {}};
+    const std::optional<UserRecord> user = store.accounts().find(user_id);
     store.accounts().erase(user_id, with_attempts);
     std::vector<std::string> copies;
     try {
+        if (user) {
+            done.entries = store.audit().naming({user->login, user->display_name});
+            remove_leftovers(parse_store_url(url), *user, done);
+        }
         done.store = store.audit().head().store;
         const std::vector<std::string> backups = backups_of(store);
         std::set<std::string> gone;
@@ -184,6 +222,16 @@ std::string erasure_certificate(const Erasure& erasure) {
     text += "removed: name, log-in, password, PIN, groups, assignments, grants, certificates; ";
     text += erasure.with_attempts ? "the attempts as well\n" : "attempts stay without a name\n";
     text += lines_of("erased as well in these copies:", erasure.cleaned);
+    text +=
+        lines_of("recordings of the person that were not saved yet, removed:", erasure.recordings);
+    std::string entries;
+    for (const int64_t entry : erasure.entries)
+        entries += (entries.empty() ? "" : ", ") + std::to_string(entry);
+    if (!entries.empty())
+        text +=
+            "entries of the audit trail that name the person, from an earlier version or as the "
+            "place of a copy; each proves those after it, so they stay: " +
+            entries + "\n";
     std::vector<std::string> left;
     for (const LeftCopy& each : erasure.left) left.push_back(each.path + ": " + each.why);
     text += lines_of("may still hold the person (delete them):", left);

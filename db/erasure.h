@@ -26,6 +26,11 @@ struct Erasure {
     std::vector<std::string> cleaned;  ///< Copies that held the person, and do not any more.
     std::vector<LeftCopy> left;
     std::vector<std::string> gone;  ///< Backups that are not where they were made.
+    /// Of the audit trail: an earlier version named the person there, or a copy lies at a place
+    /// with that name. They stay, because each proves those after it.
+    std::vector<int64_t> entries;
+    /// Recordings of the person that nobody had saved, which are removed.
+    std::vector<std::string> recordings;
 };
 
 /// Files with copies of the embedded store at `url` that are there now: beside it, and backups that

@@ -27,7 +27,8 @@ int64_t Groups::create(const std::string& name) {
     insert.run(name, key, utc_now());
     const int64_t id = insert.returned_id();
     context_.made("group", id);
-    context_.append_audit("group.create", "group " + std::to_string(id), name);
+    context_.append_audit("group.create", "group " + std::to_string(id),
+                          context_.without_names(name));
     work.commit();
     return id;
 }

@@ -150,7 +150,8 @@ constexpr const char* kCalled =
     "'has_role', 'is_staff', 'is_demonstration', 'need_person', 'need_group', 'need_save', "
     "'need_part', 'need_erase', 'need_remark', 'need_removal', 'need_rating', 'need_rating_part', "
     "'need_text', "
-    "'any_account', 'account_of', 'has_pin', 'invitation_by', 'owner_of_attempt', 'attempt_with', "
+    "'any_account', 'account_of', 'named_in', 'has_pin', 'invitation_by', 'owner_of_attempt', "
+    "'attempt_with', "
     "'attempt_ending', 'trail_end', 'trail_chain', 'trail_first', 'trail_founder', 'trail_trust', "
     "'add_entry'";
 

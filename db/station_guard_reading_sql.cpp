@@ -158,6 +158,13 @@ LANGUAGE sql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
         WHERE p.login_key = of_login AND (a.active = 1 OR NOT only_active)), 0)
 $$
 --
+CREATE OR REPLACE FUNCTION placode_guard.named_in(said TEXT)
+RETURNS TABLE (account_id BIGINT, login TEXT, display_name TEXT)
+LANGUAGE sql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
+    SELECT p.account_id, p.login, p.display_name FROM public.persons p
+        WHERE strpos(lower(said), lower(p.login)) > 0 OR strpos(lower(said), lower(p.display_name)) > 0
+$$
+--
 CREATE OR REPLACE FUNCTION placode_guard.has_pin(who BIGINT) RETURNS BOOLEAN
 LANGUAGE sql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
     SELECT EXISTS (SELECT FROM public.account_pins p WHERE p.account_id = who)

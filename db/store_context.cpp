@@ -3,7 +3,10 @@
 #include "db/store_context.h"
 
 #include <QDateTime>
+#include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <set>
 #include <string_view>
 
 #include "db/password.h"
@@ -41,16 +44,89 @@ std::string StoreContext::shown_display_name(const std::string& kept) {
     return person_of(kept, "display_name");
 }
 
-std::string StoreContext::person_of(const std::string& kept, const char* column) {
+namespace {
+
+/// Of "user 12"; 0 for anything else.
+int64_t number_in(const std::string& kept) {
     constexpr std::string_view kUser = "user ";
     int64_t id = 0;
     const char* const end = kept.data() + kept.size();
-    if (!kept.starts_with(kUser) ||
-        std::from_chars(kept.data() + kUser.size(), end, id).ptr != end || id <= 0)
-        return kept;
+    const bool whole =
+        kept.starts_with(kUser) && std::from_chars(kept.data() + kUser.size(), end, id).ptr == end;
+    return whole ? std::max<int64_t>(id, 0) : 0;
+}
+
+}  // namespace
+
+std::string StoreContext::person_of(const std::string& kept, const char* column) {
+    const int64_t id = number_in(kept);
+    if (id == 0) return kept;
     Statement query(connection,
                     std::string("SELECT ") + column + " FROM persons WHERE account_id = ?");
     return query.run(id).next() ? query.text(0) : kept;
+}
+
+namespace {
+
+bool is_in_a_word(char c) {
+    return static_cast<unsigned char>(c) >= 0x80 ||
+           std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
+
+bool same_letter(char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+}
+
+/// Where `word` stands by itself, in whatever case, from `from` on; npos: nowhere.
+size_t find_word(const std::string& text, const std::string& word, size_t from) {
+    if (word.empty()) return std::string::npos;
+    for (auto at = text.begin() + static_cast<std::ptrdiff_t>(from);; ++at) {
+        at = std::search(at, text.end(), word.begin(), word.end(), same_letter);
+        if (at == text.end()) return std::string::npos;
+        const auto end = at + static_cast<std::ptrdiff_t>(word.size());
+        if ((at == text.begin() || !is_in_a_word(at[-1])) &&
+            (end == text.end() || !is_in_a_word(*end)))
+            return static_cast<size_t>(at - text.begin());
+    }
+}
+
+/// "user 12", "study pilot": what the trail itself says, whoever has such a log-in.
+bool is_of_the_trail(const std::string& text, size_t at, size_t size) {
+    static const std::set<std::string> kNouns{"assignment", "attempt", "batch", "comment",
+                                              "entry",      "group",   "pack",  "invitation",
+                                              "norm",       "study",   "task",  "user"};
+    return text.size() > at + size && text[at + size] == ' ' &&
+           kNouns.contains(text.substr(at, size));
+}
+
+void replace_word(std::string& text, const std::string& word, const std::string& by) {
+    for (size_t at = find_word(text, word, 0); at != std::string::npos;) {
+        const bool own = is_of_the_trail(text, at, word.size());
+        if (!own) text.replace(at, word.size(), by);
+        at = find_word(text, word, at + (own ? word.size() : by.size()));
+    }
+}
+
+}  // namespace
+
+bool holds_word(const std::string& text, const std::string& word) {
+    return find_word(text, word, 0) != std::string::npos;
+}
+
+std::string StoreContext::without_names(const std::string& typed) {
+    std::string text = typed;
+    // A server shows a station only some names; it answers with those that the text holds.
+    const bool guarded = connection.hides_passwords();
+    Statement query(connection,
+                    std::string("SELECT account_id, login, display_name FROM ") +
+                        (guarded ? "placode_guard.named_in(?)" : "persons WHERE ? <> ''") +
+                        " ORDER BY LENGTH(display_name) DESC, account_id");
+    query.run(typed);
+    while (query.next())
+        for (const int column : {2, 1})
+            replace_word(text, query.text(column), user_object(query.integer(0)));
+    return text;
 }
 
 std::optional<UserRecord> StoreContext::find_user(int64_t id) {
@@ -93,12 +169,14 @@ bool any_account(Connection& connection) {
 }
 
 std::optional<UserRecord> StoreContext::find_staff(const std::string& login_or_name) {
-    Statement query(connection,
-                    user_columns() +
-                        "WHERE a.active = 1 AND (p.login_key = ? OR p.display_name = ?) ORDER BY "
-                        "CASE WHEN p.login_key = ? THEN 0 ELSE 1 END, p.login_key");
+    Statement query(
+        connection,
+        user_columns() +
+            "WHERE a.active = 1 AND (a.id = ? OR p.login_key = ? OR p.display_name = ?) "
+            "ORDER BY "
+            "CASE WHEN p.login_key = ? THEN 0 ELSE 1 END, p.login_key");
     const std::string key = login_key(login_or_name);
-    query.run(key, login_or_name, key);
+    query.run(number_in(login_or_name), key, login_or_name, key);
     std::optional<UserRecord> found;
     // To its end: PostgreSQL gives one answer at a time.
     while (query.next()) {

@@ -82,7 +82,10 @@ struct StoreContext {
     [[nodiscard]] std::string shown_name(const std::string& kept);
     /// As shown_name(), but the name that the person has.
     [[nodiscard]] std::string shown_display_name(const std::string& kept);
-    /// The same for rows that were read: PostgreSQL gives one answer at a time, so never within
+    /// What somebody typed as the trail keeps it: whoever is named in it, by log-in or name, has an
+    /// account, and its number stands there.
+    [[nodiscard]] std::string without_names(const std::string& typed);
+    /// shown_name() for rows that were read: PostgreSQL gives one answer at a time, so never within
     /// one.
     template <class Row>
     void show_names(std::vector<Row>& rows, std::string Row::*name) {
@@ -117,8 +120,8 @@ struct StoreContext {
     /// study's attempts sees no names.
     [[nodiscard]] UserRecord need_owner(int64_t id);
     void need_group(int64_t id);
-    /// An active educator or administrator, by log-in or, where nobody has that log-in, by name:
-    /// who may be a proctor.
+    /// An active educator or administrator, by log-in or, where nobody has that log-in, by name or
+    /// as kept ("user 12"): who may be a proctor.
     [[nodiscard]] std::optional<UserRecord> find_staff(const std::string& login_or_name);
     /// Whose attempt it is; account 0 where it is a study's. nullopt: it is not there.
     [[nodiscard]] std::optional<AttemptOwner> owner_of_attempt(int64_t id);
@@ -174,6 +177,9 @@ inline void show_proctors(StoreContext& context, std::span<AttemptRecord> attemp
 /// SELECT ... FROM definitions, for read_definition().
 [[nodiscard]] const std::string& definition_columns();
 [[nodiscard]] DefinitionRecord read_definition(const Statement& row);
+
+/// Whether `word` stands in the text by itself, in whatever case of its ASCII letters.
+[[nodiscard]] bool holds_word(const std::string& text, const std::string& word);
 
 /// The chain of an audit entry after the one whose chain is `previous`.
 [[nodiscard]] std::string audit_chain(const std::string& previous, const TrailEntry& entry);

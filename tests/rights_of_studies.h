@@ -145,7 +145,12 @@ inline std::vector<Method> methods_of_the_store() {
         {"audit.write",
          {{Action::kActAs, About::kPerson}},
          {},
-         [](Call& c) { c.store.audit().write(c.subject.login, "export", "study", ""); }},
+         [](Call& c) {
+             // As pages and commands do, or did: a log-in, a name, a path.
+             c.store.audit().write(
+                 c.subject.login, "export", "user " + c.subject.login,
+                 "/home/" + c.subject.login + "/x.pdf, for Name of " + c.subject.login);
+         }},
         {"audit.trail",
          {{Action::kViewAudit}},
          {},

@@ -104,7 +104,7 @@ int import_recording(const Context& context, const ImportOptions& options) {
         record = session.store().attempts().detail(saved.id).record;
     }
     session.store().audit().write(session.actor(), "attempt.import",
-                                  "attempt " + std::to_string(saved.id), options.file);
+                                  "attempt " + std::to_string(saved.id), "");
     std::string text = "saved as attempt " + std::to_string(saved.id) + " of " + user.login + ": " +
                        fixed(record.points, 1) + " points\n";
     if (!record.void_reason.empty()) text += "it counts for nothing. " + record.void_reason + "\n";

@@ -83,8 +83,8 @@ int run_link(const Context& context, const LinkOptions& options) {
                          "who is linked, so administrators sign in with their password");
     lti::add_link(options.config, options.issuer, options.client_id,
                   {options.subject, user.id, user.login});
-    session.store().audit().write(session.actor(), "lti.link", "user " + user.login,
-                                  options.issuer + " sub " + options.subject);
+    session.store().audit().write(session.actor(), "lti.link", "user " + std::to_string(user.id),
+                                  options.issuer);
     print(context, {{"issuer", options.issuer}, {"sub", options.subject}, {"login", user.login}},
           options.subject + " of " + options.issuer + " is " + user.login + " from now on");
     return 0;

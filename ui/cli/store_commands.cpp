@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <map>
 #include <memory>
+#include <regex>
 
 #include "db/erasure.h"
 #include "db/store_url.h"
@@ -170,11 +172,28 @@ int attempts(const Context& context, const std::string& login, const std::string
     return 0;
 }
 
+/// "user 12 (anna)": the trail holds numbers, and a log-in goes with its person.
+std::string with_log_ins(const std::string& text, const std::map<std::string, std::string>& known) {
+    static const std::regex kUser("user [0-9]+");
+    std::string shown;
+    auto from = text.cbegin();
+    for (std::sregex_iterator at(text.begin(), text.end(), kUser), end; at != end; ++at) {
+        const auto found = known.find(at->str());
+        shown.append(from, (*at)[0].second);
+        if (found != known.end()) shown += " (" + found->second + ")";
+        from = (*at)[0].second;
+    }
+    return shown.append(from, text.cend());
+}
+
 int audit(const Context& context, int limit) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kViewAudit, Scope::kOther);
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{{"at (UTC)", "who", "did", "what", "detail"}};
+    std::map<std::string, std::string> known;
+    for (const db::UserRecord& each : session.store().accounts().list())
+        known["user " + std::to_string(each.id)] = each.login;
     for (const auto& entry : session.store().audit().trail(limit)) {
         json.push_back({{"id", entry.id},
                         {"at_utc", entry.at_utc},
@@ -182,7 +201,8 @@ int audit(const Context& context, int limit) {
                         {"action", entry.action},
                         {"object", entry.object},
                         {"detail", entry.detail}});
-        rows.push_back({entry.at_utc, entry.actor, entry.action, entry.object, entry.detail});
+        rows.push_back({entry.at_utc, entry.actor, entry.action, with_log_ins(entry.object, known),
+                        with_log_ins(entry.detail, known)});
     }
     print(context, json, table(rows));
     return 0;

@@ -181,6 +181,20 @@ QString title_of(const QString& id, const AuditNames& names) {
     return found == names.titles.end() ? id : found->second;
 }
 
+/// In a sentence, such as the reason for a grant.
+QString with_people(const QString& text, const AuditNames& names) {
+    static const QRegularExpression kUser("user (\\d+)");
+    QString shown;
+    qsizetype from = 0;
+    for (auto found = kUser.globalMatch(text); found.hasNext();) {
+        const QRegularExpressionMatch one = found.next();
+        shown += text.mid(from, one.capturedStart() - from);
+        shown += counted(QStringLiteral("user"), one.captured(1), names);
+        from = one.capturedEnd();
+    }
+    return shown + text.mid(from);
+}
+
 }  // namespace
 
 QString audit_thing(const QString& text, const AuditNames& names) {
@@ -211,12 +225,16 @@ QString audit_thing(const QString& text, const AuditNames& names) {
         if (!version.captured(4).isEmpty()) words += " · " + version.captured(4);
         return words;
     }
+    static const QRegularExpression kProctor("^proctor (user \\d+)$");
+    if (const auto proctor = kProctor.match(text); proctor.hasMatch())
+        return translated(QT_TRANSLATE_NOOP("AuditWords", "proctor %1"))
+            .arg(with_people(proctor.captured(1), names));
     if (const auto study = kStudy.match(text); study.hasMatch())
         return title_of(study.captured(1), names);
     const auto first = kFirst.match(text);
     if (first.hasMatch() && names.titles.contains(first.captured(1)))
-        return title_of(first.captured(1), names) + " · " + first.captured(2);
-    return title_of(text, names);
+        return title_of(first.captured(1), names) + " · " + with_people(first.captured(2), names);
+    return with_people(title_of(text, names), names);
 }
 
 QString audit_words(std::string_view action) {

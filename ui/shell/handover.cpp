@@ -125,8 +125,9 @@ bool is_participants(AppContext& context, const Place& place) {
 bool take_back(AppContext& context, QWidget* parent) {
     TakeBackDialog dialog(context, parent);
     if (dialog.exec() != QDialog::Accepted) return false;
-    return context.guard(TakeBackDialog::tr("Writing the audit"),
-                         [&] { context.audit("session.take_back", qstr(context.user().login)); });
+    return context.guard(TakeBackDialog::tr("Writing the audit"), [&] {
+        context.audit("session.take_back", QString("user %1").arg(context.user().id));
+    });
 }
 
 }  // namespace placode::ui

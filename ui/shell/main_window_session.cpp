@@ -124,8 +124,9 @@ void MainWindow::lock() {
     locked_user_ = context_.user().id;
     context_.setStoreSetting("last_login", qstr(context_.user().login));
     // Locked in any case, also when the store cannot be written.
-    context_.guard(tr("Writing the audit"),
-                   [this] { context_.audit("session.lock", qstr(context_.user().login)); });
+    context_.guard(tr("Writing the audit"), [this] {
+        context_.audit("session.lock", QString("user %1").arg(context_.user().id));
+    });
     context_.signOut();
 }
 

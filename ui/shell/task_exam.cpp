@@ -62,7 +62,7 @@ QFrame* TaskExam::makeCard(const std::function<void()>& submit) {
     return card;
 }
 
-QString TaskExam::confirmedProctor() {
+std::optional<db::UserRecord> TaskExam::confirmedProctor() {
     if (proctor_ == nullptr) return {};
     // The next key belongs to the field that is to be mended.
     const auto refuse = [this](const QString& why) {
@@ -84,7 +84,7 @@ QString TaskExam::confirmedProctor() {
         !db::has_role(found.user->roles, db::Role::kAdministrator))
         refuse(tr("%1 is neither educator nor administrator and cannot be the proctor.")
                    .arg(qstr(found.user->display_name)));
-    return qstr(found.user->login);
+    return found.user;
 }
 
 void TaskExam::refuseBesideLeftExam() const {
@@ -102,13 +102,16 @@ void TaskExam::prepare(AttemptOrder& order, bool haptic) {
     refuseBesideLeftExam();
     const std::string device = order.device.toStdString();
     // The loop of a force device is judged when the attempt is saved; anything else has none.
-    const db::ExamOrder ready = db::prepare_exam(context_.store(), context_.user().id, course_,
-                                                 stage_->id, confirmedProctor().toStdString(),
-                                                 haptic ? device : std::string(), exam_now_utc());
+    const std::optional<db::UserRecord> proctor = confirmedProctor();
+    const db::ExamOrder ready = db::prepare_exam(
+        context_.store(), context_.user().id, course_, stage_->id,
+        proctor ? proctor->login : std::string(), haptic ? device : std::string(), exam_now_utc());
     order.exam = ready.context;
+    // The file that lies beside the recording names nobody.
+    if (proctor) order.exam.proctor = "user " + std::to_string(proctor->id);
     order.seed = ready.seed;
     context_.audit("exam.begin", qstr(course_ + "/" + stage_->id),
-                   tr("proctor %1").arg(qstr(ready.context.proctor)));
+                   proctor ? QString("proctor user %1").arg(proctor->id) : QString());
 }
 
 }  // namespace placode::ui

@@ -40,7 +40,7 @@ class TaskExam {
 
  private:
     /// Log-in of who is present and confirms with the own password. Throws kRefused.
-    [[nodiscard]] QString confirmedProctor();
+    [[nodiscard]] std::optional<db::UserRecord> confirmedProctor();
     /// An exam that a crash left over is saved before the next one: it uses up an attempt.
     void refuseBesideLeftExam() const;
 

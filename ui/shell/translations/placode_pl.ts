@@ -1000,6 +1000,10 @@
         <translation>włączono codzienną kopię</translation>
     </message>
     <message>
+        <source>proctor %1</source>
+        <translation>nadzór %1</translation>
+    </message>
+    <message>
         <source>switched the daily backup off</source>
         <translation>wyłączono codzienną kopię</translation>
     </message>
@@ -5941,10 +5945,6 @@
     <message>
         <source>%1 is neither educator nor administrator and cannot be the proctor.</source>
         <translation>%1 nie jest instruktorem ani administratorem i nie może nadzorować.</translation>
-    </message>
-    <message>
-        <source>proctor %1</source>
-        <translation>nadzór %1</translation>
     </message>
     <message>
         <source>What you do earns up to %1 points, harm takes points off. You pass with %2.</source>
