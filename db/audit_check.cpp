@@ -78,49 +78,57 @@ std::vector<SignedEntry> entries_of(Connection& connection, const std::string& w
     return found;
 }
 
-bool is_proved(Connection& connection, const SignedEntry& entry) {
+std::string chain_before(Connection& connection, const SignedEntry& entry) {
     Statement before(connection, "SELECT chain FROM audit WHERE id < ? ORDER BY id DESC LIMIT 1");
-    const bool first = !before.run(entry.entry.record.id).next();
-    return is_proved(entry, first ? std::string() : before.text(0));
+    return before.run(entry.entry.record.id).next() ? before.text(0) : std::string();
+}
+
+struct FollowingEntry {
+    SignedEntry entry;
+    std::string before;  ///< Chain of the entry before it, also of one that was not asked for.
+
+    [[nodiscard]] bool proved() const { return is_proved(entry, before); }
+};
+
+/// Entries `where` says. On a guarded server who has not signed in reads no row: there a function
+/// of the server gives them.
+std::vector<FollowingEntry> following_entries(StoreContext& context, const std::string& function,
+                                              const std::string& where) {
+    Connection& connection = context.connection;
+    std::vector<FollowingEntry> found;
+    if (context.server.guards()) {
+        Statement query(connection, "SELECT * FROM placode_guard." + function + "()");
+        query.run();
+        while (query.next()) found.push_back({read_entry(query), query.text("before")});
+        return found;
+    }
+    for (SignedEntry& each : entries_of(connection, where, {})) {
+        std::string before = chain_before(connection, each);
+        found.push_back({std::move(each), std::move(before)});
+    }
+    return found;
 }
 
 /// Who began the store: of the first entries the one that is proved, and that the next one goes on
 /// from. One that was put before the first has no such next one.
-std::string first_station(Connection& connection) {
-    constexpr size_t kLooked = 8;
-    const auto begin = entries_of(connection, "WHERE id > 0 AND station <> '' ORDER BY id LIMIT ?",
-                                  {QVariant(qlonglong{kLooked})});
+std::string first_station(StoreContext& context) {
+    const auto begin = following_entries(context, "trail_begin",
+                                         "WHERE id > 0 AND station <> '' ORDER BY id LIMIT 8");
     for (size_t i = 0; i < begin.size(); ++i) {
-        const bool goes_on = i + 1 == begin.size() ||
-                             begin[i + 1].chain == audit_chain(begin[i].chain, begin[i + 1].entry);
-        if (goes_on && is_proved(connection, begin[i])) return begin[i].entry.station;
+        const bool goes_on =
+            i + 1 == begin.size() ||
+            begin[i + 1].entry.chain == audit_chain(begin[i].entry.chain, begin[i + 1].entry.entry);
+        if (goes_on && begin[i].proved()) return begin[i].entry.entry.station;
     }
     return {};
 }
 
-/// As first_station(). On a guarded server nobody adds entries before others, and who has not
-/// signed in reads no row: the server names the first.
-std::string founder(StoreContext& context) {
-    if (!context.server.guards()) return first_station(context.connection);
-    Statement first(context.connection, "SELECT station FROM placode_guard.trail_founder()");
-    return first.run().next() ? first.text(0) : std::string();
-}
-
 /// The entries that trust a station and are proved. Anybody who may add rows can say so; only who
 /// is trusted can sign it.
-std::vector<SignedEntry> proved_trust(StoreContext& context) {
-    Connection& connection = context.connection;
-    std::vector<SignedEntry> said;
-    if (context.server.guards()) {
-        Statement query(connection, "SELECT * FROM placode_guard.trail_trust()");
-        query.run();
-        while (query.next())
-            if (SignedEntry entry = read_entry(query); is_proved(entry, query.text("before")))
-                said.push_back(std::move(entry));
-        return said;
-    }
-    said = entries_of(connection, "WHERE action = 'station.trust' ORDER BY id", {});
-    std::erase_if(said, [&](const SignedEntry& each) { return !is_proved(connection, each); });
+std::vector<FollowingEntry> proved_trust(StoreContext& context) {
+    auto said =
+        following_entries(context, "trail_trust", "WHERE action = 'station.trust' ORDER BY id");
+    std::erase_if(said, [](const FollowingEntry& each) { return !each.proved(); });
     return said;
 }
 
@@ -133,7 +141,8 @@ class TrailCheck {
           heads_(context.station.heads()) {
         for (const SignedEntry& each :
              entries_of(context.connection, "WHERE action = 'audit.set_aside'", {}))
-            if (trusted_.contains(each.entry.station) && is_proved(context.connection, each))
+            if (trusted_.contains(each.entry.station) &&
+                is_proved(each, chain_before(context.connection, each)))
                 set_aside_.insert(each.entry.record.detail);
     }
 
@@ -244,17 +253,17 @@ class TrailCheck {
 
 std::set<std::string> trusted_stations(StoreContext& context) {
     std::set<std::string> trusted;
-    if (const std::string first = founder(context); !first.empty()) trusted.insert(first);
+    if (const std::string first = first_station(context); !first.empty()) trusted.insert(first);
     // Whoever owns a file owns all in it. A server's word is not this computer's to give.
     if (context.connection.is_sqlite())
         if (const std::string own = context.station.public_key_if_any(); !own.empty())
             trusted.insert(own);
-    const std::vector<SignedEntry> said = proved_trust(context);
+    const std::vector<FollowingEntry> said = proved_trust(context);
     for (bool more = true; more;) {
         more = false;
-        for (const SignedEntry& each : said)
-            more = (trusted.contains(each.entry.station) &&
-                    trusted.insert(each.entry.record.detail).second) ||
+        for (const FollowingEntry& each : said)
+            more = (trusted.contains(each.entry.entry.station) &&
+                    trusted.insert(each.entry.entry.record.detail).second) ||
                    more;
     }
     return trusted;
@@ -262,7 +271,8 @@ std::set<std::string> trusted_stations(StoreContext& context) {
 
 std::string entry_to_set_aside(StoreContext& context, int64_t entry) {
     const auto found = entries_of(context.connection, "WHERE id = ?", {QVariant(qlonglong{entry})});
-    if (found.empty() || is_proved(context.connection, found.front())) return {};
+    if (found.empty() || is_proved(found.front(), chain_before(context.connection, found.front())))
+        return {};
     return whole_entry(found.front());
 }
 

@@ -152,7 +152,7 @@ constexpr const char* kCalled =
     "'need_text', "
     "'any_account', 'account_of', 'named_in', 'has_pin', 'invitation_by', 'owner_of_attempt', "
     "'attempt_with', "
-    "'attempt_ending', 'trail_end', 'trail_chain', 'trail_first', 'trail_founder', 'trail_trust', "
+    "'attempt_ending', 'trail_end', 'trail_chain', 'trail_first', 'trail_begin', 'trail_trust', "
     "'add_entry'";
 
 void add_statements(std::vector<std::string>& sql, const std::string& text) {

@@ -212,9 +212,13 @@ LANGUAGE sql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
     SELECT t.id, t.at_utc, t.actor, t.action, t.object, t.detail FROM public.audit t ORDER BY t.id LIMIT 1
 $$
 --
-CREATE OR REPLACE FUNCTION placode_guard.trail_founder() RETURNS TABLE (station TEXT)
+CREATE OR REPLACE FUNCTION placode_guard.trail_begin()
+RETURNS TABLE (id BIGINT, at_utc TEXT, actor TEXT, action TEXT, object TEXT, detail TEXT, chain TEXT, seals TEXT,
+    station TEXT, signature TEXT, before TEXT)
 LANGUAGE sql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
-    SELECT t.station FROM public.audit t WHERE t.station <> '' ORDER BY t.id LIMIT 1
+    SELECT t.id, t.at_utc, t.actor, t.action, t.object, t.detail, t.chain, t.seals, t.station, t.signature,
+        coalesce((SELECT p.chain FROM public.audit p WHERE p.id < t.id ORDER BY p.id DESC LIMIT 1), '')
+    FROM public.audit t WHERE t.id > 0 AND t.station <> '' ORDER BY t.id LIMIT 8
 $$
 --
 CREATE OR REPLACE FUNCTION placode_guard.trail_trust()
