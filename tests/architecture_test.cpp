@@ -147,13 +147,14 @@ TEST(Architecture, EachRoomTouchesItsPartOfTheState) {
     const std::map<std::string, std::string> may{
         {"contact",
          "frame substeps body sleep surface self_contact tools tool_side pieces held_by colour "
-         "friction patch flags workers scratch"},
+         "friction patch undermining flags workers scratch"},
         {"fluid", "frame time_s body surface tools irrigation scratch"},
         {"cutting",
          "frame time_s substeps body sleep surface self_contact sac heat tools grasps scissors "
          "suturing release resection pieces splits slides slides_refused held_by progress "
          "removed_m3 "
-         "vapour_rate_m3_s separation flood ledger gone_by_heat stretch_count flags scratch"},
+         "vapour_rate_m3_s separation flood ledger gone_by_heat stretch_count undermining flags "
+         "scratch"},
         {"ledger",
          "frame time_s substeps phase body surface heat tools grasps release pieces progress "
          "ledger gone_by_heat events event_count flags scratch"},

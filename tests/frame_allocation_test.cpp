@@ -45,7 +45,8 @@ TEST_P(FrameAllocation, AFrameAllocatesAndLocksNothing) {
         ASSERT_EQ(test::allocations + test::locks, before)
             << "frame " << state.frame << ", " << state.time_s << " s";
         for (const sim::ToolState& tool : state.tools) contact |= tool.in_contact != 0;
-        contact |= state.suturing.entered > 0;  // the needle, not its driver
+        contact |= state.suturing.entered > 0;         // the needle, not its driver
+        contact |= state.irrigation.loaded_count > 0;  // the jet, not its nozzle
     }
     ASSERT_GT(state.frame, 1000);
     EXPECT_TRUE(contact) << "nothing was touched: the test would see little";

@@ -35,6 +35,10 @@ constexpr const char* kKeepTables = R"(DO $$ DECLARE t text; BEGIN
     FOR t IN SELECT tablename FROM pg_tables WHERE schemaname = 'public' LOOP
         EXECUTE format('CREATE TABLE kept.%I AS TABLE public.%I', t, t);
     END LOOP;
+    CREATE TABLE kept.signed_in (token TEXT, account BIGINT, since TIMESTAMPTZ, resting BOOLEAN);
+    IF to_regclass('placode_guard.sessions') IS NOT NULL THEN
+        INSERT INTO kept.signed_in SELECT * FROM placode_guard.sessions;
+    END IF;
     CREATE TABLE kept.counters AS
         SELECT sequencename, last_value FROM pg_sequences WHERE schemaname = 'public';
 END $$)";
@@ -44,6 +48,10 @@ constexpr const char* kPutTablesBack = R"(DO $$ DECLARE t text; BEGIN
         EXECUTE format('DELETE FROM public.%I', t);
         EXECUTE format('INSERT INTO public.%I OVERRIDING SYSTEM VALUE SELECT * FROM kept.%I', t, t);
     END LOOP;
+    -- A new password ends sessions.
+    IF to_regclass('placode_guard.sessions') IS NOT NULL THEN
+        INSERT INTO placode_guard.sessions SELECT * FROM kept.signed_in ON CONFLICT DO NOTHING;
+    END IF;
     PERFORM setval(format('public.%I', sequencename), coalesce(last_value, 1),
                    last_value IS NOT NULL) FROM kept.counters;
 END $$)";
