@@ -10473,6 +10473,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>dodatkowe próby wymagają uzasadnienia</translation>
     </message>
     <message>
+        <source>an entry is set aside with a reason</source>
+        <translation>wpis odkłada się na bok tylko z uzasadnieniem</translation>
+    </message>
+    <message>
         <source>the course has no such exam stage</source>
         <translation>kurs nie ma takiego etapu egzaminacyjnego</translation>
     </message>
