@@ -14,6 +14,7 @@ import time
 from pathlib import Path
 
 PR_SET_PDEATHSIG = 1
+UNITS = Path(__file__).resolve().parents[2] / "packaging"
 
 
 def programs_of_postgresql():
@@ -96,8 +97,12 @@ class PrivateServer:
         postgres = (f"exec {become}env -u PGHOSTADDR PGHOST={shlex.quote(str(self.folder))} "
                     f"PGPORT={self.port} PGUSER=postgres ")
         texts = {
-            "sudo": f'if [ "$1 $2" = "-u postgres" ]; then shift 2; cd /; {postgres}"$@"; fi\nexec "$@"\n',
-            "systemctl": f'[ "$*" = "restart postgresql" ] || exit 1\ncd {shlex.quote(str(self.folder))}\n'
+            # Who is not root runs the server as himself, and gives it no files.
+            "sudo": f'if [ "$1 $2" = "-u postgres" ]; then shift 2; cd /; {postgres}"$@"; fi\n'
+                    '[ "$1 $2" != "install --owner" ] || [ "$(id -u)" = 0 ] || exec install "${@:4}"\nexec "$@"\n',
+            # A timer is not waited for; it has to be one that the package brings.
+            "systemctl": f'[ "$1 $2" != "enable --now" ] || exec test -e {shlex.quote(str(UNITS))}/"$3"\n'
+                         f'[ "$*" = "restart postgresql" ] || exit 1\ncd {shlex.quote(str(self.folder))}\n'
                          "rm -f restarted; touch restart\n"
                          "for _ in $(seq 300); do [ -e restarted ] && exit 0; sleep 0.1; done; exit 1\n",
         }
