@@ -30,6 +30,16 @@ void write_event(AttemptBook& book, double time_s, EventKind kind, uint64_t hash
     book.write(event);
 }
 
+/// What is measured once, on the last state: each event to `use`, in the order of a recording.
+template <class Use>
+void measure_last(const sim::Scene& scene, const sim::State& state, const Use& use) {
+    for (const sim::Event& event : sim::reached_events(scene, state)) use(event);
+    for (const sim::Event& event : sim::slit_when_let_go(scene, state)) use(event);
+    for (const sim::Event& event : sim::patch_when_let_go(scene, state)) use(event);
+    for (const sim::Event& event : sim::irrigation_events(scene, state)) use(event);
+    for (const sim::Event& event : sim::undermining_when_let_go(scene, state)) use(event);
+}
+
 }  // namespace
 
 AttemptFrames::AttemptFrames(const Task& task, const std::vector<TaskStep>& steps,
@@ -112,12 +122,7 @@ void AttemptFrames::close(sim::State& state, AttemptBook& book) noexcept {
     for (const sim::Event& event : practice_.end(state.time_s)) book.write(event);
     for (const sim::Event& event : warnings_.end(state.time_s)) book.write(event);
     try {
-        for (const sim::Event& event : sim::reached_events(*scene_, state)) book.write(event);
-        for (const sim::Event& event : sim::slit_when_let_go(*scene_, state)) book.write(event);
-        for (const sim::Event& event : sim::patch_when_let_go(*scene_, state)) book.write(event);
-        for (const sim::Event& event : sim::irrigation_events(*scene_, state)) book.write(event);
-        for (const sim::Event& event : sim::undermining_when_let_go(*scene_, state))
-            book.write(event);
+        measure_last(*scene_, state, [&book](const sim::Event& event) { book.write(event); });
         for (const sim::Event& event : sim::closing_events(*scene_, state)) book.write(event);
     } catch (const std::exception&) {
         // Without memory for it gaps or thermal spread are not known; the attempt is.
@@ -146,11 +151,7 @@ std::vector<sim::Event> AttemptFrames::entries_if_closed(const sim::State& state
     LiveWarnings warnings = warnings_;
     add(practice.end(state.time_s));
     add(warnings.end(state.time_s));
-    add(sim::reached_events(*scene_, state));
-    add(sim::slit_when_let_go(*scene_, state));
-    add(sim::patch_when_let_go(*scene_, state));
-    add(sim::irrigation_events(*scene_, state));
-    add(sim::undermining_when_let_go(*scene_, state));
+    measure_last(*scene_, state, [&all](const sim::Event& event) { all.push_back(event); });
     add(sim::spread_events(*scene_, state));
     return all;
 }
