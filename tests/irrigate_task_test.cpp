@@ -6,22 +6,16 @@
 #include "assessment/scoring.h"
 #include "curriculum/replay.h"
 #include "tests/attempt_fixture.h"
+#include "tests/judged_attempt.h"
 
 namespace placode::curriculum {
 namespace THIS_TEST {
 
-struct Outcome {
-    sim::Recording recording;
-    assessment::MetricSet metrics;
-    assessment::Score score;
-    [[nodiscard]] double value(const char* id) const { return metrics.find(id).value_or(-1); }
-};
+using test::judged;
+using test::Outcome;
 
 Outcome perform(const Task& task, const std::string& level, uint64_t seed = 1) {
-    Outcome out;
-    out.recording = test::recorded(task, seed, test::scripted(level));
-    out.metrics = assessment::compute_metrics(out.recording);
-    out.score = assessment::score_attempt(task.rubric, out.metrics, out.recording);
+    Outcome out = judged(task, test::recorded(task, seed, test::scripted(level)));
     for (const assessment::Metric& metric : out.metrics.values)
         if (metric.id.starts_with("wash_"))
             ::testing::Test::RecordProperty(level + "_" + metric.id, std::to_string(metric.value));
