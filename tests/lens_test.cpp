@@ -87,5 +87,38 @@ TEST(Lens, TouchingTissueSmearsItOnce) {
     EXPECT_LT(lens.fog(), 0.4);
 }
 
+/// Holds a jet of `length_m` down at `from` for `seconds`.
+void irrigate(Lens& lens, Snapshot& s, double seconds, const Vec3& from, double length_m) {
+    s.tool_count = 1;
+    s.tools[0].pose.p = from;
+    s.tools[0].pose.q = Quat(0, 1, 0, 0);  // looks down
+    s.fluid.jet_m[0] = static_cast<float>(length_m);
+    s.fluid.jet_radius_m[0] = s.fluid.jet_end_radius_m[0] = 5e-4F;
+    wait(lens, s, seconds);
+    s.fluid.jet_m[0] = 0;
+}
+
+TEST(Lens, IsSplashedByAJetThatLandsNearAndNotByAFarOne) {
+    Lens near, far;
+    Snapshot a, b;
+    irrigate(near, a, 5, Vec3(0.008, 0, 0.035), 0.016);  // lands 10 mm away
+    irrigate(far, b, 5, Vec3(0.030, 0, 0.035), 0.016);
+    EXPECT_GE(near.drops().size(), 4u);
+    EXPECT_TRUE(near.dirty());
+    EXPECT_TRUE(far.drops().empty());
+    EXPECT_EQ(near.fog(), 0);  // water, not steam
+}
+
+TEST(Lens, IsRinsedByAJetThatMeetsIt) {
+    Lens lens;
+    Snapshot s;
+    cut(lens, s, 30, 0.010);
+    ASSERT_TRUE(lens.dirty());
+    s.tools[0].energised = 0;
+    irrigate(lens, s, 1, kScope + Vec3(0.001, 0, 0.010), 0.040);
+    EXPECT_LT(lens.fog(), 0.02);
+    EXPECT_TRUE(lens.drops().empty());
+}
+
 }  // namespace THIS_TEST
 }  // namespace placode::view

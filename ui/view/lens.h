@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The front lens of the scope: steam fogs it, bursts of boiling tissue spatter droplets on it,
-// tissue smears it; fog dries slowly, droplets hardly; wiping clears both.
+// tissue smears it; fog dries slowly, droplets hardly; wiping clears both. A jet that lands near
+// splashes water on it, one that meets it rinses it.
 
 #include <array>
 #include <cstdint>
@@ -38,7 +39,9 @@ class Lens {
 
  private:
     double random();
-    double fog_ = 0, time_s_ = -1, wipe_s_ = -1, owed_ = 0;
+    void add_drop(double radius);
+    void get_wet(const sim::Snapshot& snapshot, const sim::Vec3& scope_tip_m, double dt_s);
+    double fog_ = 0, time_s_ = -1, wipe_s_ = -1, owed_ = 0, splashes_owed_ = 0;
     bool touching_ = false;
     std::vector<LensDrop> drops_;
     uint64_t random_ = 0x9E3779B97F4A7C15ULL;

@@ -41,12 +41,18 @@ vec4 fluid_colour(vec3 n, vec3 v, vec3 l, float reach) {
         float run = v_rest.y * 0.09 - time_s * 9.0;
         vec4 ripple = texture(noise_map, vec2(run, 0.32 * v_rest.z));
         vec3 m = normalize(n + 0.9 * (ripple.bar - 0.5));
-        float edge = pow(1.0 - saturate(dot(m, v)), 2.0);
-        vec3 c = vec3(0.42, 0.40, 0.39) * (0.25 + 0.75 * edge) * reach;
+        float edge = pow(1.0 - saturate(dot(m, v)), 1.5);
+        // Its round surface gathers the light of the scope to streaks, which run with it.
+        float streak = smoothstep(0.52, 0.80, ripple.r) * (0.4 + 0.6 * ripple.b);
+        vec3 c = vec3(0.62, 0.61, 0.62) * (0.15 + 0.85 * edge + 0.9 * streak) * reach;
+        c += 0.6 * surroundings(reflect(-v, m)) * reach;
         c += min(highlight(m, v, l, 0.05, 0.05), 8.0) * reach;
+        // Air gets into it on its way: towards its end it turns white and frays.
+        float froth = smoothstep(0.45, 1.0, v_rest.w) * (0.35 + 0.65 * ripple.g);
+        c += vec3(0.30) * froth * reach;
         float frayed = smoothstep(0.25, 0.75, ripple.g + 0.6 * (1.0 - v_rest.w));
-        return vec4(c, (0.18 + 0.45 * edge) * mix(0.45, 1.0, frayed) *
-                           (1.0 - smoothstep(0.86, 1.0, v_rest.w)));
+        return vec4(c, saturate(0.24 + 0.55 * edge + 0.35 * streak + 0.35 * froth) *
+                           mix(0.45, 1.0, frayed) * (1.0 - smoothstep(0.90, 1.0, v_rest.w)));
     }
     // Pool. Blood takes the light as in sim/fluid/pool.cpp; without it the surface shows by what it
     // mirrors and by a little haze.
