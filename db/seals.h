@@ -22,6 +22,7 @@ class Connection;
 struct SealedObject {
     std::string kind;
     std::vector<std::string> key;
+    // clang-tidy 14 takes the 0 that it is compared with for a pointer. NOLINTNEXTLINE
     auto operator<=>(const SealedObject&) const = default;
     /// For people: "attempt 12", "participant fv1 P-003".
     [[nodiscard]] std::string name() const;

@@ -68,7 +68,8 @@ struct PoolGrid {
         return static_cast<int32_t>(j) * columns + static_cast<int32_t>(i);
     }
     [[nodiscard]] Vec2 middle(int32_t cell) const noexcept {
-        return {x_m + cell_m * (cell % columns + 0.5), y_m + cell_m * (cell / columns + 0.5)};
+        const int32_t row = cell / columns;
+        return {x_m + cell_m * (cell % columns + 0.5), y_m + cell_m * (row + 0.5)};
     }
 };
 
