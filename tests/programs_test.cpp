@@ -44,6 +44,22 @@ TEST_F(Programs, AccountsAreMadeListedAndDeactivated) {
     EXPECT_THAT(ctl("audit").out, HasSubstr("local administrator ("));
 }
 
+// Other tests of programs hash with less (stand_in/quick_hash.cpp).
+TEST_F(Programs, PasswordsAreHashedAtFullCost) {
+    const Outcome added =
+        ctl("user add anna --role trainee", "LD_PRELOAD= PLACODE_NEW_PASSWORD='long enough 1'");
+    ASSERT_EQ(added.status, 0) << added.err;
+    const std::string at_full_cost = "$argon2id$v=19$m=65536,t=2,p=1$";
+    const auto hash = [this] {
+        return RawConnection("QSQLITE", store).value("SELECT password_hash FROM accounts");
+    };
+    EXPECT_THAT(hash(), testing::StartsWith(at_full_cost));
+    // One of a time when less was thought to be enough is made anew when its owner signs in.
+    ASSERT_EQ(ctl("user password anna", "PLACODE_NEW_PASSWORD='long enough 2'").status, 0);
+    EXPECT_EQ(ctl("--as anna attempts", "LD_PRELOAD= PLACODE_PASSWORD='long enough 2'").status, 0);
+    EXPECT_THAT(hash(), testing::StartsWith(at_full_cost));
+}
+
 TEST_F(Programs, BadAccountsAreRefusedAndNothingIsMade) {
     add_user("anna", "trainee");
     const auto add = [&](const std::string& arguments, const std::string& password) {
