@@ -126,9 +126,13 @@ class PostgresqlServer {
         give_away(folder_->path());
         port_ = free_port();
         if (!take_kept_cluster() && !make_cluster()) return;
-        server_ = start({kPrograms + "postgres", "-D", folder_->file("data"), "-p",
-                         std::to_string(port_), "-c", "listen_addresses=127.0.0.1", "-c",
-                         "fsync=off", "-c", "unix_socket_directories=" + folder_->path().string()});
+        std::vector<std::string> command{kPrograms + "postgres", "-D", folder_->file("data"), "-p",
+                                         std::to_string(port_)};
+        for (const std::string& setting : settings()) {
+            command.emplace_back("-c");
+            command.push_back(setting);
+        }
+        server_ = start(command);
         for (int i = 0; i < 600 && !ready(); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         if (!ready()) problem_ = "the server did not start: " + log();
@@ -222,6 +226,19 @@ class PostgresqlServer {
  private:
     inline static const std::string kPrograms = "/usr/lib/postgresql/15/bin/";
 
+    /// It keeps nothing and copies itself nowhere, and tables are small: a tenth of its time went
+    /// into what only a server of a centre needs.
+    [[nodiscard]] std::vector<std::string> settings() const {
+        return {"listen_addresses=127.0.0.1",
+                "unix_socket_directories=" + folder_->path().string(),
+                "fsync=off",
+                "full_page_writes=off",
+                "wal_level=minimal",
+                "max_wal_senders=0",
+                "autovacuum=off",
+                "jit=off",
+                "shared_preload_libraries=plpgsql"};
+    }
     bool make_cluster() {
         std::random_device random;
         for (int i = 0; i < 24; ++i) password_ += static_cast<char>('a' + random() % 26);

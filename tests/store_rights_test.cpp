@@ -70,25 +70,31 @@ class RightsTest : public StoreTest {
                       db::SignInOutcome::kOk);
     }
     void keep() {
-        if (is_sqlite())
+        std::unique_ptr<RawConnection> behind;
+        if (is_sqlite()) {
             fs::copy_file(folder.file("placode.db"), folder.file("kept.db"));
-        else
-            run_behind(kKeepTables);
-        reset();
+        } else {
+            behind = look_behind();
+            ASSERT_TRUE(behind->run(kKeepTables)) << behind->problem();
+        }
+        reset(behind);
     }
-    void reset() {
+    /// @param behind is closed where its file is replaced. One to a server stays open: it has
+    ///               looked up all tables already.
+    void reset(std::unique_ptr<RawConnection>& behind) {
         RawConnection::edits() += 1;  // Its trail is shorter now than this computer remembers.
         if (is_sqlite()) {
+            behind.reset();
             for (const char* part : {"", "-wal", "-shm"})
                 fs::remove(folder.file("placode.db") + part);
             fs::copy_file(folder.file("kept.db"), folder.file("placode.db"));
             return;
         }
-        run_behind(kPutTablesBack);
+        if (!behind) behind = look_behind();
+        ASSERT_TRUE(behind->run(kPutTablesBack)) << behind->problem();
     }
-    void run_behind(const char* sql) {
-        RawConnection behind = raw();
-        ASSERT_TRUE(behind.run(sql)) << behind.problem();
+    [[nodiscard]] std::unique_ptr<RawConnection> look_behind() const {
+        return std::unique_ptr<RawConnection>(new RawConnection(raw()));
     }
 
     [[nodiscard]] std::unique_ptr<db::Store> open_for(const std::string& who) const {
@@ -171,9 +177,6 @@ std::optional<std::string> RightsTest::refused(const Method& method, Call& call,
 
 void RightsTest::run_for(const std::string& who, int& calls) {
     auto store = open_for(who);
-    const auto look_behind = [this] {
-        return std::unique_ptr<RawConnection>(new RawConnection(raw()));
-    };
     auto behind = look_behind();
     const std::string head = "SELECT chain FROM audit ORDER BY id DESC LIMIT 1";
     const std::string before = behind->value(head);
@@ -201,10 +204,9 @@ void RightsTest::run_for(const std::string& who, int& calls) {
                                method.name == std::string("store.sign_out");
             if (!trace && !(may && other)) continue;
             store.reset();
-            behind.reset();
-            if (trace) reset();
+            if (trace) reset(behind);
             store = open_for(who);
-            behind = look_behind();
+            if (!behind) behind = look_behind();
         }
     for (const std::string& problem : open()->check())
         EXPECT_THAT(problem, testing::Not(HasSubstr("seals:")));
