@@ -47,6 +47,13 @@ inline curriculum::Task changed_task(
     return curriculum::load_task_text(json, id);
 }
 
+/// The running suture on a field that a test can afford.
+inline curriculum::Task coarse_suture_run() {
+    return changed_task(
+        "suture_run",
+        {{"edge_ring_m", "0.0009"}, {"edge_placode_m", "0.0009"}, {"edge_outer_m", "0.0012"}});
+}
+
 /// A scripted operator ("expert", ...), headless, as fast as one thread can.
 inline curriculum::AttemptOptions scripted(const std::string& level) {
     curriculum::AttemptOptions options;

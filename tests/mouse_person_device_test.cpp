@@ -51,7 +51,7 @@ TEST(MousePerson, TakesABite) {
 }
 
 TEST(MousePerson, SewsARow) {
-    const Task task = load_task("suture_run");
+    const Task task = test::coarse_suture_run();
     const sim::Recording recording = test::scripted_attempt(task, "mouse");
     const assessment::MetricSet metrics = assessment::compute_metrics(recording);
     EXPECT_EQ(metrics.find("steps_done_percent").value_or(-1), 100);

@@ -19,13 +19,6 @@ namespace THIS_TEST {
 
 using test::Outcome;
 
-/// On a field that a test can afford.
-Task coarse_run() {
-    return test::changed_task(
-        "suture_run",
-        {{"edge_ring_m", "0.0009"}, {"edge_placode_m", "0.0009"}, {"edge_outer_m", "0.0012"}});
-}
-
 Outcome judged(const Task& task, sim::Recording recording, const std::string& level) {
     Outcome out = test::judged(task, std::move(recording));
     for (const assessment::Metric& metric : out.metrics.values)
@@ -90,7 +83,7 @@ class Copy {
 /// One attempt of the expert, for all tests of this file, and what was seen in its frames.
 struct Expert {
     Expert() {
-        test::LiveAttempt attempt(coarse_run());
+        test::LiveAttempt attempt(test::coarse_suture_run());
         const sim::State& state = attempt.state();
         while (!attempt.over()) {
             attempt.look();
@@ -102,7 +95,7 @@ struct Expert {
             most_channels = std::max(most_channels, state.suturing.needle[0].thread.channel_count);
         }
         frames = state.frame;
-        outcome = judged(coarse_run(), attempt.recording(), "expert");
+        outcome = judged(test::coarse_suture_run(), attempt.recording(), "expert");
     }
     Outcome outcome;
     Copy copy;
@@ -146,7 +139,7 @@ TEST(SutureRun, AnExpertSewsARowThatIsEven) {
 }
 
 TEST(SutureRun, TheLevelsScoreInOrder) {
-    const Task task = coarse_run();
+    const Task task = test::coarse_suture_run();
     const Outcome intermediate = perform(task, "intermediate", 1),
                   novice = perform(task, "novice", 1);
     EXPECT_GT(expert().score.points, intermediate.score.points);
@@ -154,7 +147,7 @@ TEST(SutureRun, TheLevelsScoreInOrder) {
 }
 
 TEST(SutureRun, WhoDoesNothingHasNotAttemptedIt) {
-    Task task = coarse_run();
+    Task task = test::coarse_suture_run();
     task.time_limit_s = 0.5;
     const Outcome outcome = perform(task, "expert", 1);
     EXPECT_EQ(outcome.score.verdict, assessment::Verdict::kNotAttempted);
