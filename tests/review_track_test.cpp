@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A track shows what the simulation showed: read back as a browser reads it and held against the
-// moments of a replay.
+// moments of the attempt itself.
 #include "reports/review_track.h"
 
 #include <gtest/gtest.h>
@@ -13,10 +13,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "curriculum/replay.h"
 #include "reports/review_part.h"
 #include "sim/core/as_index.h"
-#include "tests/attempt_fixture.h"
+#include "sim/step/snapshot.h"
+#include "tests/live_attempt.h"
 
 namespace placode::reports {
 namespace THIS_TEST {
@@ -219,18 +219,37 @@ struct Looked {
     size_t needles = 0, most_thread = 0;
 };
 
-/// The track of a recording against a replay of it.
-Looked compare(const sim::Recording& recording, const ReviewTrack& track) {
-    curriculum::Replay replay(recording, 1);
-    sim::Snapshot was;
+/// The first seconds of the expert's attempt, and what was to be seen in them.
+struct Seen {
+    Seen(const std::string& task, double seconds) {
+        test::LiveAttempt attempt(curriculum::load_task(task), "expert", seconds, 3);
+        while (!attempt.over()) {
+            attempt.step();
+            if (attempt.state().frame != due_frame(moments.size())) continue;
+            sim::fill_snapshot(attempt.scene(), attempt.state(), moments.emplace_back());
+        }
+        recording = attempt.recording();
+    }
+    /// Thirty moments a second.
+    static int64_t due_frame(size_t moment) {
+        return 1 + std::llround(static_cast<double>(moment) * 1000 / 30);
+    }
+    sim::Recording recording;
+    std::vector<sim::Snapshot> moments;
+};
+
+/// The track of a recording, which simulates it again, against what was seen.
+Looked compare(const Seen& seen, const ReviewTrack& track) {
     Looked looked;
     for (const std::string& part : track.parts)
         for (const Moment& moment : moments_of(part)) {
             const auto due = std::llround(static_cast<double>(moment.time_s) * 1000);
-            EXPECT_EQ(due, 1 + std::llround(static_cast<double>(looked.moments) * 1000 / 30));
-            while (replay.state().frame < due && replay.step()) {
+            EXPECT_EQ(due, Seen::due_frame(looked.moments));
+            if (looked.moments >= seen.moments.size()) {
+                ADD_FAILURE() << "more moments than there were";
+                return looked;
             }
-            sim::fill_snapshot(replay.scene(), replay.state(), was);
+            const sim::Snapshot& was = seen.moments[looked.moments];
             expect_same(moment, was);
             expect_same_needle(moment, was.needle);
             looked.needles += was.needle.present;
@@ -250,15 +269,16 @@ QJsonObject head_of(const ReviewTrack& track) {
 }
 
 TEST(ReviewTrack, ShowsARingAsTheSimulationDid) {
-    const sim::Recording recording = test::scripted_seconds("diathermy_ring_small", 9);
-    const auto track = make_review_track(recording);
+    const Seen seen("diathermy_ring_small", 9);
+    const auto track = make_review_track(seen.recording);
     ASSERT_TRUE(track);
     EXPECT_TRUE(track->identical);
     const QJsonObject head = head_of(*track);
     EXPECT_EQ(head["parts"].toInt(), static_cast<int>(track->parts.size()));
-    EXPECT_EQ(static_cast<size_t>(head["tools"].toArray().size()), recording.header.tools.size());
+    EXPECT_EQ(static_cast<size_t>(head["tools"].toArray().size()),
+              seen.recording.header.tools.size());
     EXPECT_NEAR(head["until_s"].toDouble(), 9, 0.04);
-    const Looked looked = compare(recording, *track);
+    const Looked looked = compare(seen, *track);
     EXPECT_EQ(static_cast<int>(looked.moments), head["pictures"].toInt());
     EXPECT_NEAR(static_cast<double>(looked.moments), 9 * 30, 1);
     EXPECT_TRUE(looked.fresh) << "nothing was burned away: the test saw no change of the surface";
@@ -267,20 +287,20 @@ TEST(ReviewTrack, ShowsARingAsTheSimulationDid) {
 }
 
 TEST(ReviewTrack, ShowsScissorsAsTheSimulationDid) {
-    const sim::Recording recording = test::scripted_seconds("scissors_resection", 14);
-    const auto track = make_review_track(recording);
+    const Seen seen("scissors_resection", 14);
+    const auto track = make_review_track(seen.recording);
     ASSERT_TRUE(track);
-    const Looked looked = compare(recording, *track);
+    const Looked looked = compare(seen, *track);
     EXPECT_GT(looked.most_triangles, looked.least_triangles) << "nothing was cut";
     EXPECT_TRUE(looked.fresh);
 }
 
 TEST(ReviewTrack, ShowsNeedleAndThreadAsTheSimulationDid) {
-    const sim::Recording recording = test::scripted_seconds("suture_bite", 9);
-    const auto track = make_review_track(recording);
+    const Seen seen("suture_bite", 9);
+    const auto track = make_review_track(seen.recording);
     ASSERT_TRUE(track);
     EXPECT_NEAR(head_of(*track)["needle"].toObject()["arc_m"].toDouble(), 0.017, 1e-9);
-    const Looked looked = compare(recording, *track);
+    const Looked looked = compare(seen, *track);
     EXPECT_GT(looked.needles, 200U);
     EXPECT_GT(looked.most_thread, 1U);
 }
