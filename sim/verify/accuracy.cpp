@@ -98,7 +98,8 @@ constexpr Group kGroups[] = {{"homogeneous", measure_homogeneous, false},
                              {"indentation", measure_indentation, false},
                              {"felt", measure_felt, false},
                              {"field", measure_field, true},
-                             {"drives", measure_drives, true}};
+                             {"drives", measure_drives, true},
+                             {"sleep", measure_sleep, true}};
 
 }  // namespace
 

@@ -35,7 +35,7 @@ struct AccuracyOptions {
     std::function<void(const AccuracyRow&)> progress;
 };
 
-/// homogeneous, beams, twist, motion, indentation, felt, field, drives.
+/// homogeneous, beams, twist, motion, indentation, felt, field, drives, sleep.
 [[nodiscard]] const std::vector<std::string>& accuracy_groups();
 
 /// All cases. Runs for minutes; one thread.
@@ -54,5 +54,6 @@ void measure_indentation(AccuracyTable& table);
 void measure_felt(AccuracyTable& table);
 void measure_field(AccuracyTable& table);
 void measure_drives(AccuracyTable& table);
+void measure_sleep(AccuracyTable& table);
 
 }  // namespace placode::sim
