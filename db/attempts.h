@@ -39,11 +39,15 @@ class Attempts {
     /// The attempt that holds exactly this recording file, if any: a file left over from a crash
     /// between saving and removing is not saved twice.
     [[nodiscard]] std::optional<int64_t> find_recording(const std::string& recording_file);
-    /// Exams and attempts of studies that are still to be simulated again, oldest first.
+    /// Exams and attempts of studies that are still to be simulated again, oldest first. On a
+    /// server those of which it takes this program's word.
     [[nodiscard]] std::vector<int64_t> waiting_for_replay();
     /// Practice that may still be simulated again, oldest first: recorded to its end, not void, and
     /// nobody has done so. It counts meanwhile, unlike what waits.
     [[nodiscard]] std::vector<int64_t> never_replayed();
+    /// Whether a server takes this program's word for what simulating the attempt again gave. A
+    /// file takes every program's.
+    [[nodiscard]] bool judges_replay(int64_t attempt_id);
     /// What simulating again gave. One that differs is void from then on; `difference` says where.
     /// Only a program says so, never an account.
     void set_replay(int64_t attempt_id, ReplayState state, const Said& difference = {});

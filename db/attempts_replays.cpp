@@ -15,13 +15,18 @@ std::vector<int64_t> ids_of(Statement& query) {
     return found;
 }
 
+/// Of rows of attempts "a": those of which a server takes this program's word.
+std::string judged_here(StoreContext& context) {
+    return context.server.guards() ? " AND placode_guard.verifies(a.account_id, a.study)" : "";
+}
+
 }  // namespace
 
 std::vector<int64_t> Attempts::waiting_for_replay() {
     connection_.begin_operation("list what is to be replayed in");
     context_.need(Action::kUseStore);
-    Statement query(connection_,
-                    "SELECT id FROM attempts WHERE replay = ? ORDER BY started_utc, id");
+    Statement query(connection_, "SELECT a.id FROM attempts a WHERE a.replay = ?" +
+                                     judged_here(context_) + " ORDER BY a.started_utc, a.id");
     query.run(static_cast<int>(ReplayState::kWaiting));
     return ids_of(query);
 }
@@ -31,11 +36,19 @@ std::vector<int64_t> Attempts::never_replayed() {
     context_.need(Action::kUseStore);
     Statement query(connection_,
                     "SELECT a.id FROM attempts a JOIN recordings r ON r.attempt_id = a.id WHERE "
-                    "a.replay = ? AND a.void_reason = '' AND a.end_reason <> ? ORDER BY "
-                    "a.started_utc, a.id");
+                    "a.replay = ? AND a.void_reason = '' AND a.end_reason <> ?" +
+                        judged_here(context_) + " ORDER BY a.started_utc, a.id");
     query.run(static_cast<int>(ReplayState::kNotReplayed),
               static_cast<int>(sim::EndReason::kInterrupted));
     return ids_of(query);
+}
+
+bool Attempts::judges_replay(int64_t attempt_id) {
+    connection_.begin_operation("ask for attempt " + std::to_string(attempt_id) + " in");
+    context_.need(Action::kReplay);
+    if (!context_.server.guards()) return true;
+    Statement query(connection_, "SELECT 1 WHERE placode_guard.verifies_attempt(?)");
+    return query.run(attempt_id).next();
 }
 
 void Attempts::set_replay(int64_t attempt_id, ReplayState state, const Said& difference) {

@@ -140,6 +140,7 @@ std::optional<curriculum::ReplayVerdict> verify_attempt(Store& store, int64_t at
             verdict.difference);
         return verdict;
     };
+    if (!store.attempts().judges_replay(attempt_id)) return std::nullopt;
     sim::Recording recording;
     try {
         recording = stored_recording(store, attempt_id);

@@ -51,7 +51,8 @@ using ReplayProgress = std::function<bool(double share)>;
 /// Simulates a stored attempt again and keeps what came of it. What was stopped, or cannot be
 /// simulated here, stays as it was: nullopt. That is a task which is not published, and a recording
 /// of another build or instruction set: its last bits are other ones, and that proves nothing
-/// against anybody. Throws StoreError.
+/// against anybody; and an attempt of which a server does not take this log-in's word
+/// (Attempts::judges_replay()). Throws StoreError.
 std::optional<curriculum::ReplayVerdict> verify_attempt(Store& store, int64_t attempt_id,
                                                         const ReplayProgress& progress = {});
 

@@ -140,6 +140,7 @@ constexpr std::array kRules{
     TableRule{"study_allocations", kSeesStudies, kStaff, kStaff, kAdministrator},
 };
 constexpr int kPoliciesOfATable = 5;
+constexpr int kTriggersOfAttempts = 2;
 
 /// What stations call, and what policies ask in a station's name; all other functions only these
 /// call.
@@ -152,7 +153,8 @@ constexpr const char* kCalled =
     "'need_text', "
     "'any_account', 'account_of', 'named_in', 'has_pin', 'invitation_by', 'owner_of_attempt', "
     "'attempt_with', "
-    "'attempt_ending', 'trail_end', 'trail_chain', 'trail_first', 'trail_begin', 'trail_trust', "
+    "'attempt_ending', 'verifies', 'verifies_attempt', 'trail_end', 'trail_chain', 'trail_first', "
+    "'trail_begin', 'trail_trust', "
     "'add_entry'";
 
 void add_statements(std::vector<std::string>& sql, const std::string& text) {
@@ -239,9 +241,16 @@ std::string rights_statement() {
     return std::string(
                "DO $$ DECLARE shown TEXT; BEGIN\n"
                "    REVOKE INSERT ON public.accounts, public.persons, public.account_pins, "
-               "public.audit FROM ") +
+               "public.audit, public.attempts FROM ") +
            kStationRole +
            ";\n"
+           // Never its number, nor that it was simulated again.
+           "    SELECT string_agg(quote_ident(column_name), ', ') INTO shown FROM "
+           "information_schema.columns WHERE table_schema = 'public' AND table_name = 'attempts' "
+           "AND column_name NOT IN ('id', 'replayed_utc', 'generated_from');\n"
+           "    EXECUTE 'GRANT INSERT (' || shown || ') ON public.attempts TO " +
+           kStationRole +
+           "';\n"
            "    REVOKE SELECT ON public.accounts, public.account_pins FROM " +
            kStationRole +
            ";\n"
@@ -259,7 +268,7 @@ std::string rights_statement() {
            "    IF EXISTS (SELECT FROM pg_roles WHERE rolname = '" +
            kServiceRole +
            "') THEN\n"
-           "        GRANT INSERT ON public.accounts, public.persons TO " +
+           "        GRANT INSERT ON public.accounts, public.persons, public.attempts TO " +
            kServiceRole + ";\n    END IF;\nEND $$";
 }
 
@@ -289,7 +298,7 @@ std::vector<std::string> unmarked_statements() {
     sql.push_back(std::string("REVOKE ALL ON ALL TABLES IN SCHEMA placode_guard FROM PUBLIC, ") +
                   kStationRole);
     for (const char* text : {kGuardChecksum, kGuardIdentity, kGuardChannel, kGuardSignIn,
-                             kGuardAccounts, kGuardScopes, kGuardAnswers})
+                             kGuardAccounts, kGuardScopes, kGuardAttempts, kGuardAnswers})
         add_statements(sql, text);
     sql.push_back(seal_statement());
     for (const TableRule& rule : kRules) sql.push_back(rule_statement(rule));
@@ -386,6 +395,16 @@ std::vector<std::string> station_guard_problems(Connection& connection) {
                             tables + ")");
         if (query.run().next()) all = query.integer(0);
     }
+    int64_t triggers = 0;
+    {
+        Statement query(connection,
+                        "SELECT COUNT(*) FROM pg_trigger WHERE tgrelid = "
+                        "'public.attempts'::regclass AND NOT tgisinternal AND tgenabled = 'O' AND "
+                        "tgname IN ('watch_attempt', 'need_recording')");
+        if (query.run().next()) triggers = query.integer(0);
+    }
+    if (triggers != kTriggersOfAttempts)
+        problems.push_back("guard: triggers of attempts are missing or switched off" + way_out);
     if (forced != there || policies != there * kPoliciesOfATable || all != policies)
         problems.push_back("guard: policies of the tables are missing, added or switched off" +
                            way_out);

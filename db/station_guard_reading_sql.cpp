@@ -86,7 +86,9 @@ END $$
 CREATE OR REPLACE FUNCTION placode_guard.need_part(of_attempt BIGINT) RETURNS BOOLEAN
 LANGUAGE plpgsql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
 BEGIN
+    -- Of an attempt that this transaction has added, and of no other: what is kept stays as it was.
     RETURN placode_guard.insist(coalesce((SELECT placode_guard.need_save(a.account_id, a.study)
+        AND (placode_guard.trusted() OR a.xmin = pg_current_xact_id()::xid)
         FROM public.attempts a WHERE a.id = of_attempt), false));
 END $$
 --

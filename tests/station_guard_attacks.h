@@ -13,6 +13,15 @@
 
 namespace placode::test {
 
+// A row of attempts, of account 2 (anna, whose first attempt is 1), with further columns.
+#define PLACODE_FORGED_BY(account, demonstration, columns, values)                              \
+    "INSERT INTO attempts (account_id, task_id, task_version, started_utc, saved_utc, "         \
+    "duration_s, device, seed, build, end_reason, final_hash, dropped, demonstration, points, " \
+    "verdict, rubric_id, rubric_version, metric_set_version" columns ") VALUES (" account       \
+    ", 'diathermy_ring', 2, '2026-01-01T00:00:00Z', '', 60, 'mouse', '1', '', 1, '7', "         \
+    "0, " demonstration ", 100, 0, 'ring', 4, 15" values ")"
+#define PLACODE_FORGED(columns, values) PLACODE_FORGED_BY("2", "0", columns, values)
+
 inline constexpr std::array kGuardAttacks{
     // Become somebody, or somebody else.
     "UPDATE accounts SET roles = 15",
@@ -115,7 +124,72 @@ inline constexpr std::array kGuardAttacks{
     "'')",
     "INSERT INTO norm_packs (task_id, centre, content, signature, public_key, in_use, added_by, "
     "added_utc) VALUES ('x', '', '', '', '', 1, '', '')",
+    // Attempts that were never performed, or are said to have been simulated again.
+    PLACODE_FORGED("", ""),
+    PLACODE_FORGED(", replay", ", 2"),
+    PLACODE_FORGED(", replay, replayed_utc", ", 2, '2026-01-01T00:00:00Z'"),
+    PLACODE_FORGED(", exam_course, exam_course_version, exam_stage, replay", ", 'x', 1, 'y', 2"),
+    PLACODE_FORGED(", exam_course, exam_course_version, exam_stage", ", 'x', 1, 'y'"),
+    PLACODE_FORGED(", exam_course, exam_course_version, exam_stage, replay", ", 'x', 1, 'y', 1"),
+    PLACODE_FORGED(", exam_course, exam_course_version, exam_stage, proctor, replay",
+                   ", 'x', 1, 'y', 'user 1', 2"),
+    PLACODE_FORGED(", generated_from", ", 1"),
+    "INSERT INTO attempts (id, account_id) VALUES (1000, 2)",
+    PLACODE_FORGED(", study, participant, replay", ", 'pilot', 'P1', 1"),
+    PLACODE_FORGED_BY("3", "0", "", ""),
+    PLACODE_FORGED_BY("2", "1", ", replay", ", 2"),
+    PLACODE_FORGED_BY("2", "1", ", exam_course, exam_course_version, exam_stage", ", 'x', 1, 'y'"),
+    "BEGIN; SET CONSTRAINTS ALL DEFERRED; " PLACODE_FORGED("", "") "; COMMIT",
+    "BEGIN; " PLACODE_FORGED_BY("2", "1", "", "") "; UPDATE attempts SET replay = 2",
+    "BEGIN; " PLACODE_FORGED_BY("2", "1", "", "") "; UPDATE attempts SET demonstration = 0",
+    "BEGIN; " PLACODE_FORGED_BY("2", "1", "", "") "; UPDATE attempts SET exam_course = 'x'",
+    // What somebody who may has found, said in their place.
+    "UPDATE attempts SET replay = 2",
+    "UPDATE attempts SET replay = 0 WHERE id = 1",
+    "UPDATE attempts SET replay = replay",
+    "UPDATE attempts SET replayed_utc = '2026-01-01T00:00:00Z'",
+    "UPDATE attempts SET void_reason = ''",
+    "UPDATE attempts SET void_reason = '', void_meaning = '', replay = 2",
+    "UPDATE attempts SET void_reason = 'The computer was too slow: 1 picture a second, 20 are "
+    "needed' WHERE id = 1",
+    "UPDATE attempts SET void_meaning = '[]'",
+    "UPDATE attempts SET study = 'pilot', participant = 'P1'",
+    "UPDATE attempts SET study = 'pilot', participant = 'P1', replay = 1 WHERE id = 1",
+    "UPDATE attempts SET participant = 'P1'",
+    "WITH done AS (UPDATE attempts SET replay = 2 RETURNING id) SELECT * FROM done",
+    "MERGE INTO attempts a USING (SELECT 1 AS id) b ON a.id = b.id WHEN MATCHED THEN UPDATE SET "
+    "replay = 2",
+    "UPDATE attempts SET points = 100",
+    "UPDATE attempts SET verdict = 0",
+    "UPDATE attempts SET account_id = 2",
+    "UPDATE attempts SET exam_course = 'x', exam_stage = 'y'",
+    "UPDATE attempts SET started_utc = '2020-01-01T00:00:00Z'",
+    "UPDATE attempts SET metric_set_version = 99",
+    // More of an attempt that is kept, or other points beside it.
+    "INSERT INTO attempt_metrics VALUES (1, 999, 'x', 1)",
+    "INSERT INTO attempt_reasons (attempt_id, position, item, reason, points, time_s, critical) "
+    "VALUES (1, 999, 'x', '', 1, 1, 0)",
+    "INSERT INTO attempt_events (attempt_id, position, time_s, kind, tool, tissue, element) VALUES "
+    "(1, 999, 1, 1, 1, 1, 1)",
+    "INSERT INTO recordings (attempt_id, size_bytes, checksum, content) VALUES (1, 1, 'x', '')",
+    "UPDATE recordings SET content = ''",
+    "DELETE FROM recordings",
+    "INSERT INTO attempt_scores (attempt_id, points, verdict, rubric_id, rubric_version, "
+    "metric_set_version, preprocessing_version, scored_utc, scored_by) VALUES (1, 100, 0, 'ring', "
+    "5, 15, 1, '', '')",
+    // Take away what asks.
+    "ALTER TABLE attempts DISABLE TRIGGER watch_attempt",
+    "ALTER TABLE attempts DISABLE TRIGGER ALL",
+    "DROP TRIGGER watch_attempt ON attempts",
+    "DROP TRIGGER need_recording ON attempts",
+    "SET session_replication_role = replica; UPDATE attempts SET replay = 2",
+    "CREATE OR REPLACE FUNCTION placode_guard.verifies(of_account BIGINT, of_study TEXT) RETURNS "
+    "BOOLEAN LANGUAGE sql AS 'SELECT true'",
+    "DROP FUNCTION placode_guard.watch_attempt() CASCADE",
+    "SELECT placode_guard.watch_attempt()",
 };
+#undef PLACODE_FORGED
+#undef PLACODE_FORGED_BY
 
 /// What one statement got: rows that it saw or changed, or why it was refused.
 struct Outcome {

@@ -7,11 +7,13 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "db/password.h"
 #include "db/station_role.h"
 #include "tests/bars.h"
+#include "tests/recorded_attempt.h"
 #include "tests/station_guard_attacks.h"
 #include "tests/store_cases.h"
 
@@ -88,7 +90,7 @@ class StationGuard : public StoreTest {
 INSTANTIATE_TEST_SUITE_P(Server, StationGuard, testing::Values("Postgresql"), engine_name);
 
 TEST_P(StationGuard, NobodyGetsAnywhereBySql) {
-    EXPECT_GE(kGuardAttacks.size(), 50u);
+    EXPECT_GE(kGuardAttacks.size(), 130u);
     Bar bar("attacks by SQL with a station's log-in");
     for (const char* each : kGuardAttacks) {
         RawConnection station = at_the_station();
@@ -269,6 +271,59 @@ TEST_P(StationGuard, APinBringsBackWhoGaveThePasswordHere) {
     EXPECT_THAT(seals(), IsEmpty());
 }
 
+// A trainee adds an exam and cannot say that it was simulated again, nor can its own educator.
+TEST_P(StationGuard, WhatAReplayGaveSaysSomebodyElseWhoMay) {
+    db::NewUser educator = trainee("eva");
+    educator.roles = static_cast<db::Roles>(Role::kEducator);
+    const int64_t eva = open()->accounts().create(educator);
+    const auto exam_of = [&](const std::string& login, int64_t who) {
+        const auto store = open_at_station();
+        store->sign_out();
+        EXPECT_EQ(store->accounts().sign_in(login, kPassword).outcome, SignInOutcome::kOk);
+        db::AttemptResult result = make_result();
+        result.header.device = "mouse";
+        result.header.demonstration = false;
+        result.end.final_hash = static_cast<uint64_t>(who);
+        result.exam = {"short", 1, "final", "", ""};
+        record_to(folder.file(login + ".placode"), result);
+        return store->attempts().save(who, result);
+    };
+    const int64_t of_anna = exam_of("anna", anna_), of_eva = exam_of("eva", eva);
+    const auto judge = [&](const char* login, int64_t id) {
+        // As the shell's work in the background: a program, in the name of who has signed in.
+        const auto store = open_at_station();
+        store->act_as(login);
+        db::Attempts& attempts = store->attempts();
+        const auto waiting = attempts.waiting_for_replay();
+        const bool may = attempts.judges_replay(id);
+        EXPECT_EQ(std::count(waiting.begin(), waiting.end(), id), may ? 1 : 0) << login;
+        if (may)
+            attempts.set_replay(id, db::ReplayState::kIdentical);
+        else
+            EXPECT_THAT(
+                failure_of([&] { attempts.set_replay(id, db::ReplayState::kIdentical); }).what(),
+                AnyOf(HasSubstr("you may not do this on the server"),
+                      HasSubstr("there is no attempt")))
+                << login;
+        return may;
+    };
+    const auto state_of = [&](int64_t id) {
+        return raw().value("SELECT replay || void_reason FROM attempts WHERE id = " +
+                           std::to_string(id));
+    };
+    EXPECT_EQ(state_of(of_anna), "1");
+    EXPECT_FALSE(judge("anna", of_anna));
+    EXPECT_FALSE(judge("anna", of_eva));
+    EXPECT_FALSE(judge("eva", of_eva)) << "the own";
+    EXPECT_EQ(state_of(of_anna), "1");
+    EXPECT_TRUE(judge("eva", of_anna));
+    EXPECT_EQ(state_of(of_anna), "2");
+    const auto night = open();
+    EXPECT_THAT(night->attempts().waiting_for_replay(), testing::ElementsAre(of_eva));
+    night->attempts().set_replay(of_eva, db::ReplayState::kIdentical);
+    EXPECT_THAT(seals(), IsEmpty());
+}
+
 // Rules that somebody has taken away, or of an older version: nobody works on without them.
 TEST_P(StationGuard, WithoutTheRulesAStationOpensNothingUntilTheOwnerRenewsThem) {
     for (const char* harm :
@@ -276,6 +331,8 @@ TEST_P(StationGuard, WithoutTheRulesAStationOpensNothingUntilTheOwnerRenewsThem)
           "ALTER TABLE persons DISABLE ROW LEVEL SECURITY",
           "ALTER TABLE persons NO FORCE ROW LEVEL SECURITY",
           "CREATE POLICY mine ON accounts USING (true)",
+          "ALTER TABLE attempts DISABLE TRIGGER watch_attempt",
+          "DROP TRIGGER need_recording ON attempts",
           "CREATE OR REPLACE FUNCTION placode_guard.version() RETURNS TEXT LANGUAGE sql IMMUTABLE "
           "SET search_path = pg_catalog, pg_temp AS $$ SELECT 'older'::TEXT $$"}) {
         ASSERT_TRUE(raw().run(harm)) << harm;

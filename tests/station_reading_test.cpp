@@ -134,13 +134,14 @@ const std::vector<Write>& writes() {
          "verdict, rubric_id, rubric_version, metric_set_version) VALUES ({who}, 'x', 1, '', '', "
          "1, '', '1', '', 0, '1', 0, 0, 100, 1, 'x', 1, 1)",
          {Action::kSaveAttempt}},
-        {"INSERT INTO attempt_metrics VALUES ({attempt}, 999, 'x', 1)", {Action::kSaveAttempt}},
+        // What is kept stays as it was: nobody adds to it.
+        {"INSERT INTO attempt_metrics VALUES ({attempt}, 999, 'x', 1)", {Action::kReplay}},
         {"INSERT INTO attempt_reasons (attempt_id, position, item, reason, points, time_s, "
          "critical) VALUES ({attempt}, 999, 'x', '', 1, 1, 0)",
-         {Action::kSaveAttempt}},
+         {Action::kReplay}},
         {"INSERT INTO attempt_events (attempt_id, position, time_s, kind, tool, tissue, element) "
          "VALUES ({attempt}, 999, 1, 1, 1, 1, 1)",
-         {Action::kSaveAttempt}},
+         {Action::kReplay}},
         {"INSERT INTO attempt_scores (attempt_id, points, verdict, rubric_id, rubric_version, "
          "metric_set_version, preprocessing_version, scored_utc, scored_by) VALUES ({attempt}, "
          "100, 1, 'x', 9, 1, 1, '', '')",

@@ -58,11 +58,12 @@ Verified verify_all(Session& session, const std::vector<ToVerify>& all, bool bri
         const char* const state = db::replay_name(!verdict             ? all[i].state
                                                   : verdict->identical ? db::ReplayState::kIdentical
                                                                        : db::ReplayState::kDiffers);
-        const std::string difference =
-            verdict ? verdict->difference.english()
-            : CancelOn::requested()
-                ? "stopped"
-                : "recorded by another build or processor, or of a task that is unknown here";
+        const std::string difference = verdict ? verdict->difference.english()
+                                       : CancelOn::requested()
+                                           ? "stopped"
+                                           : "recorded or scored by another build or processor, of "
+                                             "a task that is unknown here, "
+                                             "or of whom your account may not say it on the server";
         done.identical += verdict && verdict->identical ? 1 : 0;
         done.differ += verdict && !verdict->identical ? 1 : 0;
         done.left += verdict ? 0 : 1;
