@@ -31,4 +31,8 @@ struct StoreContext;
                                                       const AttemptResult& result,
                                                       const std::string& checksum);
 
+/// Of an attempt that is kept, when it is simulated again: as Attempts::doubt_about().
+[[nodiscard]] std::optional<Said> doubt_in_store(StoreContext& context, int64_t attempt_id,
+                                                 const std::string& recording_file);
+
 }  // namespace placode::db

@@ -48,6 +48,11 @@ class Attempts {
     /// Whether a server takes this program's word for what simulating the attempt again gave. A
     /// file takes every program's.
     [[nodiscard]] bool judges_replay(int64_t attempt_id);
+    /// Why the store does not believe that a recording is this attempt's: no computer of it signed
+    /// the file, it ends in another state, or an earlier attempt has it. nullopt: it does.
+    /// @param recording_file as extract_recording() wrote it.
+    [[nodiscard]] std::optional<Said> doubt_about(int64_t attempt_id,
+                                                  const std::string& recording_file);
     /// What simulating again gave. One that differs is void from then on; `difference` says where.
     /// Only a program says so, never an account.
     void set_replay(int64_t attempt_id, ReplayState state, const Said& difference = {});

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which attempts are still to be simulated again, and what that gave.
 
+#include "db/attempt_doubts.h"
 #include "db/attempts.h"
 #include "db/store_context.h"
 #include "db/void_reason.h"
@@ -49,6 +50,12 @@ bool Attempts::judges_replay(int64_t attempt_id) {
     if (!context_.server.guards()) return true;
     Statement query(connection_, "SELECT 1 WHERE placode_guard.verifies_attempt(?)");
     return query.run(attempt_id).next();
+}
+
+std::optional<Said> Attempts::doubt_about(int64_t attempt_id, const std::string& recording_file) {
+    connection_.begin_operation("look into attempt " + std::to_string(attempt_id) + " in");
+    context_.need(Action::kReplay);
+    return doubt_in_store(context_, attempt_id, recording_file);
 }
 
 void Attempts::set_replay(int64_t attempt_id, ReplayState state, const Said& difference) {

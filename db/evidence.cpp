@@ -10,6 +10,8 @@
 #include "curriculum/attempt_runner.h"
 #include "curriculum/preset.h"
 #include "curriculum/shipped_definitions.h"
+#include "db/attempt_comparison.h"
+#include "db/recording_file.h"
 #include "db/rescore.h"
 #include "db/standards.h"
 
@@ -132,6 +134,27 @@ void publish_task_on_first_use(Store& store, const std::string& id, int version)
     }
 }
 
+namespace {
+
+/// Why the store's word for an attempt is not that of its recording; no verdict: it cannot be told
+/// here, and the attempt stays as it is.
+struct Doubted {
+    bool told = true;
+    std::optional<Said> why;
+};
+
+Doubted doubt_about(Store& store, const AttemptDetail& kept, const sim::Recording& recording,
+                    const std::string& file) {
+    AttemptResult found = judged(store, recording);
+    found.exam = kept.record.exam;
+    found.recording_file = file;
+    ComparedScore score = compare_score(kept, found);
+    if (score.outcome == ScoreComparison::kDiffers) return {true, std::move(score.difference)};
+    return {score.outcome == ScoreComparison::kSame, std::nullopt};
+}
+
+}  // namespace
+
 std::optional<curriculum::ReplayVerdict> verify_attempt(Store& store, int64_t attempt_id,
                                                         const ReplayProgress& progress) {
     const auto keep = [&](const curriculum::ReplayVerdict& verdict) {
@@ -140,20 +163,35 @@ std::optional<curriculum::ReplayVerdict> verify_attempt(Store& store, int64_t at
             verdict.difference);
         return verdict;
     };
+    const AttemptDetail kept = store.attempts().detail(attempt_id);
     if (!store.attempts().judges_replay(attempt_id)) return std::nullopt;
+    std::optional<ExtractedRecording> file;
     sim::Recording recording;
     try {
-        recording = stored_recording(store, attempt_id);
+        file.emplace(store, attempt_id);
+        recording = read_recording_file(file->path);
     } catch (const StoreError& error) {
         if (error.kind() != StoreError::Kind::kDamaged) throw;
         return keep({false, Said::listed(QT_TRANSLATE_NOOP("Said", "the recording is damaged"))});
     }
     const TaskEvidence evidence = task_evidence(store, recording);
-    if (!evidence.task || recording.header.build != curriculum::this_build()) return std::nullopt;
-    if (!evidence.doubts.empty())
+    if (!evidence.task) return std::nullopt;
+    const bool of_this_build = recording.header.build == curriculum::this_build();
+    if (of_this_build && !evidence.doubts.empty())
         return keep(
             {false, Said::listed(QT_TRANSLATE_NOOP("Said", "its task is not the published one"))});
-    if (const auto problem = assessment::unsound(recording)) return keep({false, *problem});
+    const auto problem = assessment::unsound(recording);
+    if (of_this_build && problem) return keep({false, *problem});
+    // What the row says of the recording, and who signed it, every build reads alike.
+    if (!problem) {
+        if (const auto differs = facts_that_differ(kept, recording)) return keep({false, *differs});
+        if (const auto doubt = store.attempts().doubt_about(attempt_id, file->path))
+            return keep({false, *doubt});
+    }
+    if (!of_this_build) return std::nullopt;
+    const Doubted score = doubt_about(store, kept, recording, file->path);
+    if (score.why) return keep({false, *score.why});
+    if (!score.told) return std::nullopt;
     curriculum::ReplayCheck check(recording, *evidence.task, 1);
     constexpr int kFramesBetween = 50;
     for (int64_t frame = 0; check.step(); ++frame)

@@ -48,11 +48,12 @@ void publish_task_on_first_use(Store& store, const std::string& id, int version)
 
 /// Told the share that is done, 0..1; false stops.
 using ReplayProgress = std::function<bool(double share)>;
-/// Simulates a stored attempt again and keeps what came of it. What was stopped, or cannot be
-/// simulated here, stays as it was: nullopt. That is a task which is not published, and a recording
-/// of another build or instruction set: its last bits are other ones, and that proves nothing
-/// against anybody; and an attempt of which a server does not take this log-in's word
-/// (Attempts::judges_replay()). Throws StoreError.
+/// Simulates a stored attempt again, compares what the store says of it with what the recording
+/// gives under the published rubric, and keeps what came of it. What was stopped, or cannot be
+/// judged here, stays as it was: nullopt. That is a task which is not published; a recording of
+/// another build or instruction set: its last bits are other ones, and that proves nothing against
+/// anybody; other points by an earlier version of this program; and an attempt of which a server
+/// does not take this log-in's word (Attempts::judges_replay()). Throws StoreError.
 std::optional<curriculum::ReplayVerdict> verify_attempt(Store& store, int64_t attempt_id,
                                                         const ReplayProgress& progress = {});
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/rescore.h"
 
-#include <QTemporaryDir>
 #include <algorithm>
 #include <array>
 #include <set>
@@ -10,6 +9,7 @@
 #include "assessment/signal.h"
 #include "assessment/soundness.h"
 #include "assessment/tissue_metrics.h"
+#include "db/attempt_comparison.h"
 #include "db/evidence.h"
 #include "db/recording_file.h"
 #include "db/said.h"
@@ -94,34 +94,6 @@ ComputedScore compute(Store& store, const AttemptRecord& attempt, const curricul
     return found;
 }
 
-/// Out of the store, for as long as it is looked at.
-struct ExtractedRecording {
-    ExtractedRecording(Store& store, int64_t attempt_id)
-        : path(folder.filePath(QStringLiteral("a.placode")).toStdString()) {
-        store.attempts().extract_recording(attempt_id, path);
-    }
-    QTemporaryDir folder;
-    std::string path;
-};
-
-bool same_score(const RescoreRecord& a, const RescoreRecord& b) {
-    const auto same_reason = [](const assessment::Reason& x, const assessment::Reason& y) {
-        return x.item == y.item && x.text == y.text && x.points == y.points &&
-               x.time_s == y.time_s && x.critical == y.critical && x.meaning == y.meaning;
-    };
-    const auto same_metric = [](const assessment::Metric& x, const assessment::Metric& y) {
-        return x.id == y.id && x.value == y.value;
-    };
-    return a.score.points == b.score.points && a.score.verdict == b.score.verdict &&
-           a.score.rubric_id == b.score.rubric_id &&
-           a.score.rubric_version == b.score.rubric_version &&
-           a.score.metric_set_version == b.score.metric_set_version &&
-           std::equal(a.metrics.values.begin(), a.metrics.values.end(), b.metrics.values.begin(),
-                      b.metrics.values.end(), same_metric) &&
-           std::equal(a.score.reasons.begin(), a.score.reasons.end(), b.score.reasons.begin(),
-                      b.score.reasons.end(), same_reason);
-}
-
 /// Before anything is saved: a computer that computes otherwise, or lies, is found on a sample.
 void compare_computed(Store& store, const std::vector<AttemptRecord>& attempts,
                       const curriculum::Task& task, const RescoreOptions& options) {
@@ -131,7 +103,9 @@ void compare_computed(Store& store, const std::vector<AttemptRecord>& attempts,
         const auto theirs = options.computed(attempt.id, file.path);
         if (!theirs) continue;
         const RescoreRecord ours = compute(store, attempt, task, file.path).record;
-        if (!same_score(theirs->record, ours))
+        if (!score_difference(theirs->record.metrics, theirs->record.score, ours.metrics,
+                              ours.score)
+                 .empty())
             throw StoreError(StoreError::Kind::kConflict,
                              "attempt " + std::to_string(attempt.id) + ": the batch says " +
                                  std::to_string(theirs->record.score.points) + " points, " +
@@ -183,6 +157,11 @@ const char* rescore_state_name(RescoreState state) {
     constexpr std::array<const char*, 5> kNames{"rescored", "already there", "no recording",
                                                 "unreadable", "not in the batch"};
     return kNames[static_cast<size_t>(state)];
+}
+
+ExtractedRecording::ExtractedRecording(Store& store, int64_t attempt_id)
+    : path(folder.filePath(QStringLiteral("a.placode")).toStdString()) {
+    store.attempts().extract_recording(attempt_id, path);
 }
 
 sim::Recording stored_recording(Store& store, int64_t attempt_id) {

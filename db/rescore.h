@@ -3,6 +3,7 @@
 #pragma once
 // Stored attempts under another rubric: computed again from their recordings, both scores kept.
 
+#include <QTemporaryDir>
 #include <functional>
 #include <optional>
 #include <set>
@@ -49,6 +50,13 @@ struct RescoreOptions {
     std::function<bool(size_t done, size_t total)> progress;
     ComputedScores computed;      ///< Kept instead of computing here; empty = compute.
     std::set<int64_t> recompute;  ///< Attempts whose computed score is compared with our own.
+};
+
+/// The recording file of a stored attempt, for as long as it is looked at.
+struct ExtractedRecording {
+    ExtractedRecording(Store& store, int64_t attempt_id);  ///< Throws StoreError.
+    QTemporaryDir folder;
+    std::string path;
 };
 
 /// The recording of a stored attempt. Throws StoreError.

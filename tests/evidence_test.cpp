@@ -303,6 +303,87 @@ TEST_F(Evidence, OneRecordingIsNotTheExamOfTwoPeople) {
     EXPECT_FALSE(mastered(jan));
 }
 
+/// Saved as an exam, not simulated again yet.
+int64_t waiting(db::Store& store, int64_t user, const Recording& recording,
+                const std::string& file) {
+    db::AttemptResult result = db::judged(store, recording);
+    result.recording_file = file;
+    result.exam = {"short", 1, "final", "nina", ""};
+    return store.attempts().save(user, result);
+}
+
+// Whoever writes rows writes points, too: what counts is what the recording gives.
+TEST_F(Evidence, WhatTheStoreHoldsOfAnAttemptIsComparedWithItsRecording) {
+    constexpr std::pair<const char*, const char*> kEdits[]{
+        {"UPDATE attempts SET points = 100", "points 100.000000, not "},
+        {"UPDATE attempts SET points = points + 0.001", "points "},
+        {"UPDATE attempts SET verdict = 2", "verdict \"failed\", not "},
+        {"UPDATE attempts SET rubric_version = 99", "rubric_version 99, not "},
+        {"UPDATE attempts SET rubric_id = 'easy'", "rubric_id \"easy\", not "},
+        {"UPDATE attempts SET metric_set_version = 99", "metric_set_version 99, not "},
+        {"UPDATE attempts SET preprocessing_version = 99", "preprocessing_version 99, not "},
+        {"UPDATE attempts SET started_utc = '2020-01-01T00:00:00Z'", "started_utc "},
+        {"UPDATE attempts SET seed = '4'", "seed 4, not 3"},
+        {"UPDATE attempts SET device = 'mouse'", "device \"mouse\", not "},
+        {"UPDATE attempts SET duration_s = 1", "duration_s "},
+        {"UPDATE attempts SET demonstration = 0", "demonstration 0, not 1"},
+        {"UPDATE attempts SET task_id = 'diathermy_ring'", "task_id "},
+        {"UPDATE attempts SET final_hash = '7'", "final_hash"},
+        {"UPDATE attempt_metrics SET value = value + 1 WHERE position = 2",
+         "attempt_metrics, position 2"},
+        {"DELETE FROM attempt_metrics WHERE position = 3", "attempt_metrics, position 3"},
+        {"UPDATE attempt_reasons SET points = 0 WHERE position = 0", "attempt_reasons, position 0"},
+        {"DELETE FROM attempt_events WHERE position = 0", "attempt_events, position 0"}};
+    int second = 0;
+    for (const auto& [edit, named] : kEdits) {
+        Recording recording = honest_attempt();
+        recording.header.started_utc = "2026-02-01T00:02:" + std::to_string(10 + second++) + "Z";
+        const int64_t id = waiting(*store, anna, recording, write(recording));
+        const bool of_attempts = std::string(edit).find(" attempts ") != std::string::npos;
+        RawConnection pen("QSQLITE", folder.file("placode.db"));
+        ASSERT_TRUE(
+            pen.run(std::string(edit) +
+                    (std::string(edit).find("WHERE") == std::string::npos ? " WHERE " : " AND ") +
+                    (of_attempts ? "id = " : "attempt_id = ") + std::to_string(id)))
+            << edit << pen.problem();
+        const auto verdict = db::verify_attempt(*store, id);
+        ASSERT_TRUE(verdict) << edit;
+        EXPECT_FALSE(verdict->identical) << edit;
+        EXPECT_THAT(verdict->difference.english(),
+                    HasSubstr("the store holds something else than the recording"));
+        EXPECT_THAT(record(id).void_reason, HasSubstr(named)) << edit;
+        EXPECT_FALSE(db::counts(record(id))) << edit;
+    }
+    EXPECT_FALSE(mastered(anna));
+}
+
+TEST_F(Evidence, WhoSignedARecordingAndWhoseItIsAreAskedAgain) {
+    const std::string own = qgetenv("PLACODE_STATION_KEY").toStdString();
+    Recording foreign = honest_attempt();
+    foreign.header.started_utc = "2026-02-01T00:03:00Z";
+    ::setenv("PLACODE_STATION_KEY", folder.file("foreign.key").c_str(), 1);
+    const std::string file = write(foreign);
+    own.empty() ? ::unsetenv("PLACODE_STATION_KEY")
+                : ::setenv("PLACODE_STATION_KEY", own.c_str(), 1);
+    const int64_t unsigned_one = waiting(*store, anna, foreign, file);
+    const std::string twice = write(honest_attempt());
+    (void)waiting(*store, anna, honest_attempt(), twice);
+    const int64_t second = waiting(*store, jan, honest_attempt(), twice);
+    RawConnection pen("QSQLITE", folder.file("placode.db"));
+    for (const auto& [id, why] :
+         {std::pair(unsigned_one, "no computer of this store signed its recording"),
+          std::pair(second, "its recording is that of attempt")}) {
+        EXPECT_FALSE(record(id).void_reason.empty()) << "or this proves nothing";
+        ASSERT_TRUE(
+            pen.run("UPDATE attempts SET void_reason = '', void_meaning = '', replay = 1 "
+                    "WHERE id = " +
+                    std::to_string(id)));
+        EXPECT_FALSE(db::verify_attempt(*store, id)->identical);
+        EXPECT_THAT(record(id).void_reason, HasSubstr(why));
+    }
+    EXPECT_FALSE(mastered(jan));
+}
+
 TEST_F(Evidence, OneForgedRecordingKeepsNobodyFromBeingRescored) {
     Recording forged = honest_attempt();
     sim::SplitMix64 random(1);

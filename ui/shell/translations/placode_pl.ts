@@ -10757,6 +10757,18 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>jego zadanie nie jest opublikowanym</translation>
     </message>
     <message>
+        <source>the store holds something else than the recording (%1)</source>
+        <translation>baza zawiera co innego niż nagranie (%1)</translation>
+    </message>
+    <message>
+        <source>no computer of this store signed its recording</source>
+        <translation>jej nagrania nie podpisał żaden komputer tej bazy</translation>
+    </message>
+    <message>
+        <source>its recording is that of attempt %1</source>
+        <translation>jej nagranie jest nagraniem próby %1</translation>
+    </message>
+    <message>
         <source>the haptic certificate of the recording cannot be read</source>
         <translation>nie można odczytać certyfikatu haptycznego nagrania</translation>
     </message>
