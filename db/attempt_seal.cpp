@@ -114,12 +114,23 @@ std::string attempt_seal(Store& store, int64_t attempt_id, const std::string& re
         throw StoreError(StoreError::Kind::kUnavailable,
                          "seal the attempt: this computer has no key, and none can be made; set "
                          "PLACODE_STATION_KEY to a file that can be written");
+    const Audit::Standing standing = store.audit().standing_of(station.public_key());
+    // What it states would be its own word, and not the centre's.
+    if (standing == Audit::Standing::kUnknown)
+        throw StoreError(
+            StoreError::Kind::kRefused, "seal the attempt: ",
+            Said::that("this computer (%1) is not one that the store trusts; at one that is, an "
+                       "administrator trusts it: `placodectl station trust`")
+                .with(fingerprint(station.public_key())));
     Page page;
     state_whose(page, attempt);
     state_what(page, store, attempt);
     state_score(page, attempt);
     state_recording(page, attempt, recording_file);
     page.line("stated", now_utc);
+    page.line("station registered", standing == Audit::Standing::kRegistered
+                                        ? "yes"
+                                        : "no, it is the computer that has the file of the store");
     page.line("stated by station", station.public_key());
     const std::string text = page.take();
     return text + std::string(kSignature) + station.sign(text) + "\n";

@@ -19,7 +19,8 @@ inline constexpr const char* kSealTitle = "Placode seal of an attempt 1";
 /// whether it counts and why not, what simulating it again gave, checksums, and who states it; last
 /// the signature over all lines above it.
 /// @param recording_file the attempt's recording, as Attempts::extract_recording() wrote it.
-/// @throws StoreError kNotFound; kUnavailable on a computer that can have no key.
+/// @throws StoreError kNotFound; kUnavailable on a computer that can have no key; kRefused where a
+/// server does not trust its key. A file trusts the computer that has it, and the page says so.
 [[nodiscard]] std::string attempt_seal(Store& store, int64_t attempt_id,
                                        const std::string& recording_file,
                                        const std::string& now_utc);

@@ -122,6 +122,13 @@ std::string Audit::own_station() {
     return context_.station.public_key();
 }
 
+Audit::Standing Audit::standing_of(const std::string& public_key) {
+    connection_.begin_operation("look for the key of a computer in");
+    context_.need(Action::kUseStore);
+    if (registered_stations(context_).contains(public_key)) return Standing::kRegistered;
+    return connection_.is_sqlite() ? Standing::kOfTheFile : Standing::kUnknown;
+}
+
 void Audit::trust_station(const std::string& station) {
     connection_.begin_operation("trust a station in");
     context_.need(Action::kManageUsers);

@@ -29,6 +29,14 @@ class Audit {
  public:
     explicit Audit(StoreContext& context);
 
+    /// How much a store takes the word of a key.
+    enum class Standing : uint8_t {
+        kUnknown,    ///< Nobody vouched for it.
+        kOfTheFile,  ///< Of the computer that has the file, and not in its trail as trusted.
+        kRegistered  ///< It began the trail, or somebody registered vouched for it.
+    };
+    [[nodiscard]] Standing standing_of(const std::string& public_key);
+
     /// What is no change of the store, such as an export. An account writes in its own name only.
     /// Object and detail name nobody: whoever has an account and is named there, by log-in or name,
     /// stands there by number.

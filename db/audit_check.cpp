@@ -249,15 +249,8 @@ class TrailCheck {
     size_t found_ = 0, bad_ = 0;
 };
 
-}  // namespace
-
-std::set<std::string> trusted_stations(StoreContext& context) {
-    std::set<std::string> trusted;
-    if (const std::string first = first_station(context); !first.empty()) trusted.insert(first);
-    // Whoever owns a file owns all in it. A server's word is not this computer's to give.
-    if (context.connection.is_sqlite())
-        if (const std::string own = context.station.public_key_if_any(); !own.empty())
-            trusted.insert(own);
+/// Those of `trusted`, whom one of them trusted, and so on.
+std::set<std::string> with_whom_they_trust(StoreContext& context, std::set<std::string> trusted) {
     const std::vector<FollowingEntry> said = proved_trust(context);
     for (bool more = true; more;) {
         more = false;
@@ -267,6 +260,24 @@ std::set<std::string> trusted_stations(StoreContext& context) {
                    more;
     }
     return trusted;
+}
+
+}  // namespace
+
+std::set<std::string> registered_stations(StoreContext& context) {
+    std::set<std::string> first;
+    if (const std::string key = first_station(context); !key.empty()) first.insert(key);
+    return with_whom_they_trust(context, std::move(first));
+}
+
+std::set<std::string> trusted_stations(StoreContext& context) {
+    std::set<std::string> trusted = registered_stations(context);
+    // Whoever owns a file owns all in it. A server's word is not this computer's to give.
+    const std::string own =
+        context.connection.is_sqlite() ? context.station.public_key_if_any() : std::string();
+    if (own.empty() || trusted.contains(own)) return trusted;
+    trusted.insert(own);
+    return with_whom_they_trust(context, std::move(trusted));
 }
 
 std::string entry_to_set_aside(StoreContext& context, int64_t entry) {

@@ -12,6 +12,10 @@ namespace placode::db {
 
 struct StoreContext;
 
+/// Public keys of the stations that the trail itself vouches for: the one that began, whom it
+/// trusted, and so on.
+[[nodiscard]] std::set<std::string> registered_stations(StoreContext& context);
+
 /// Public keys of the stations that may sign: the one that began, this one where the store is a
 /// file, and whom one of them trusted, and so on. What is said of a station counts where its entry
 /// is proved by chain and signature.

@@ -7,10 +7,10 @@
     python3 check_seal.py seal.txt [attempt.placode] [--station PUBLIC_KEY]
 
 Anybody can make a key and sign a page with it. That a page is a centre's shows only with --station: the key that the
-centre gave out itself (`placodectl station key` there). Without it that is said to be open.
+centre gave out itself (`placodectl station key` there). What is not proved is said to be OPEN, and is not success.
 
 Ed25519 is written out below (RFC 8032, section 5.1.7), so that Python alone is enough.
-Exit status: 0 everything is right, 1 something is not, 2 usage.
+Exit status: 0 everything is proved, 1 something is wrong, 2 usage, 3 nothing is wrong and something is open.
 """
 import argparse
 import hashlib
@@ -110,11 +110,16 @@ def main():
     print(lines.decode(), end="")
     for what, right in checks.items():
         print("right" if right else "WRONG", what, sep="  ")
+    unproved = []
     if not options.station:
-        print("OPEN   whose station that is: anybody can sign like this; ask the centre for its key, give it as --station")
+        unproved.append("whose station that is: anybody can sign like this; ask the centre for its key, give it as --station")
+    if said.get("station registered") != "yes":
+        unproved.append("whether the store knows that station: it says so itself, or says nothing; ask the centre")
     if options.recording and said.get("recorded by station") != said.get("stated by station"):
-        print("OPEN   who recorded it: another station than the one that states this; ask the centre whether it is theirs")
-    return 0 if all(checks.values()) else 1
+        unproved.append("who recorded it: another station than the one that states this; ask the centre whether it is theirs")
+    for what in unproved:
+        print("OPEN ", what, sep="  ")
+    return 1 if not all(checks.values()) else 3 if unproved else 0
 
 
 if __name__ == "__main__":

@@ -10757,6 +10757,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>jego zadanie nie jest opublikowanym</translation>
     </message>
     <message>
+        <source>this computer (%1) is not one that the store trusts; at one that is, an administrator trusts it: `placodectl station trust`</source>
+        <translation>ten komputer (%1) nie należy do tych, którym baza ufa; na zaufanym administrator nadaje mu zaufanie: `placodectl station trust`</translation>
+    </message>
+    <message>
         <source>the store holds something else than the recording (%1)</source>
         <translation>baza zawiera co innego niż nagranie (%1)</translation>
     </message>
