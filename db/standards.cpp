@@ -47,8 +47,30 @@ assessment::Rubric rubric_at(Store& store, const curriculum::Task& task,
     return rubric;
 }
 
+void need_replayed(Store& store, const std::string& task_id, const std::vector<int64_t>& people,
+                   int last) {
+    int all = 0, unproven = 0;
+    for (const int64_t person : people) {
+        std::vector<AttemptRecord> own = store.attempts().list(person, task_id);
+        std::erase_if(
+            own, [](const AttemptRecord& each) { return !counts(each) || each.demonstration; });
+        const size_t n = std::min(static_cast<size_t>(last), own.size());
+        for (const AttemptRecord& each : std::span(own).last(n)) {
+            ++all;
+            if (each.replay != ReplayState::kIdentical) ++unproven;
+        }
+    }
+    if (unproven > 0)
+        throw StoreError(StoreError::Kind::kRefused, "standard of " + task_id + ": ",
+                         Said::that("%1 of %2 attempts were never simulated again; let `placodectl "
+                                    "verify --all` do that first")
+                             .with(unproven)
+                             .with(all));
+}
+
 std::vector<double> person_means(Store& store, const std::string& task_id,
                                  const std::vector<int64_t>& people, int last) {
+    need_replayed(store, task_id, people, last);
     std::vector<double> means;
     for (const int64_t person : people) {
         std::vector<double> points;

@@ -114,6 +114,10 @@ TEST_P(Counting, ASlowAttemptIsKeptAndCountsNowhere) {
     ASSERT_EQ(levels.at(0).by_person.size(), 1u);
     EXPECT_EQ(levels[0].by_person.at(user).size(), 1u) << "norms and metric quality";
     EXPECT_EQ(levels[0].by_person.at(user)[0].record.id, good);
+    EXPECT_THAT(
+        failure_of([&] { (void)db::person_means(*store, "diathermy_ring", {user}, 5); }).what(),
+        HasSubstr("1 of 1 attempts were never simulated again"));
+    store->attempts().set_replay(good, db::ReplayState::kIdentical);
     EXPECT_EQ(db::person_means(*store, "diathermy_ring", {user}, 5), std::vector<double>{90})
         << "standards";
     EXPECT_EQ(db::attempts_beside(*store, record).size(), 2u);

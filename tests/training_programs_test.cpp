@@ -445,6 +445,13 @@ TEST_F(TrainingPrograms, ReportsAndTheCertificateAreWritten) {
     }
     const std::string mark = "standard set --task diathermy_ring_small --novice p1,p2 --expert ";
     EXPECT_EQ(as("anna", mark + "p3,p4").status, 1);
+    EXPECT_THAT(as("ewa", mark + "p3,p4").err,
+                HasSubstr("2 of 2 attempts were never simulated again"));
+    {
+        const auto direct = db::open_store("sqlite:" + store, cheap());
+        for (const auto& each : direct->attempts().list(0, "diathermy_ring_small"))
+            direct->attempts().set_replay(each.id, db::ReplayState::kIdentical);
+    }
     EXPECT_EQ(as("ewa", mark + "p3").status, 2) << "one person is no group";
     const Outcome set = as("ewa", "--json " + mark + "p3,p4");
     EXPECT_EQ(set.status, 0) << set.err;

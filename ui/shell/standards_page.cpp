@@ -145,6 +145,12 @@ class StandardsPage : public Page {
     }
 
     void save() {
+        std::vector<int64_t> people = persons(1);
+        for (const int64_t each : persons(2)) people.push_back(each);
+        const bool proved = context_.guard(tr("Setting the standard"), [&] {
+            db::need_replayed(context_.store(), task(), people, kLastAttempts);
+        });
+        if (!proved) return;
         keep(db::standard_of_groups(task(), values(1), values(2), kLastAttempts), reason_->text());
     }
 
