@@ -147,14 +147,25 @@ TEST_F(Programs, ADamagedStoreIsLeftAsItIsAndABackupTakesItsPlace) {
     EXPECT_EQ(read_text(store), "scrambled eggs");
     EXPECT_EQ(ctl("restore " + file("nothing.db")).status, 2);
     write_text(file("empty.db"), "");
-    EXPECT_EQ(ctl("restore " + file("empty.db")).status, 1);
+    const Outcome hostile = ctl("restore " + file("empty.db"));
+    EXPECT_EQ(hostile.status, 2) << "the file is bad input, the store did not fail";
+    EXPECT_THAT(hostile.err, AllOf(HasSubstr(file("empty.db")), HasSubstr("not a backup"),
+                                   HasSubstr("`placodectl backup`")));
+    write_text(file("hostile.db"), R"({"settings": {"store": "sqlite:elsewhere"}})");
+    EXPECT_EQ(ctl("restore " + file("hostile.db")).status, 2);
+    write_text(copy + ".head", "Placode: end of an audit trail, format 1\nentry 1e9\n");
+    const Outcome head = ctl("restore " + copy);
+    EXPECT_EQ(head.status, 2);
+    EXPECT_THAT(head.err, AllOf(HasSubstr(copy + ".head"), HasSubstr("1e9")));
+    EXPECT_EQ(ctl("check --head " + copy + ".head").status, 1) << "the store is scrambled";
+    fs::remove(copy + ".head");
     EXPECT_EQ(read_text(store), "scrambled eggs");
     // Where somebody only wants to know whether it could be done, nothing is done.
     const Outcome rehearsed = ctl("--json restore --rehearse " + copy);
     EXPECT_EQ(rehearsed.status, 0) << rehearsed.err;
     EXPECT_THAT(rehearsed.out,
                 AllOf(HasSubstr("\"restorable\": true"), HasSubstr("\"people\": 1")));
-    EXPECT_EQ(ctl("restore --rehearse " + file("empty.db")).status, 1);
+    EXPECT_EQ(ctl("restore --rehearse " + file("empty.db")).status, 2);
     EXPECT_EQ(read_text(store), "scrambled eggs");
     const Outcome restored = ctl("restore " + copy);
     EXPECT_EQ(restored.status, 0) << restored.err;

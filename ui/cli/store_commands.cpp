@@ -73,13 +73,27 @@ std::string who_restores(const Context& context, const std::string& url) {
     return context.as_user;
 }
 
+/// A file that is no backup is bad input: the store is not what failed.
+std::string restored(const std::string& url, const std::string& path, const std::string& actor) {
+    try {
+        return db::restore_store(url, path, actor);
+    } catch (const db::StoreError& error) {
+        if (error.kind() != db::StoreError::Kind::kDamaged &&
+            error.kind() != db::StoreError::Kind::kTooNew)
+            throw;
+        throw InputError(std::string(error.what()) +
+                         "; give a file that `placodectl backup` of this version or an earlier one "
+                         "wrote");
+    }
+}
+
 /// The whole restore in a folder of its own, and what would be there then.
 int rehearse(const Context& context, const std::string& path) {
     const std::string actor = who_restores(context, store_url_of(context));
     const auto begin = std::chrono::steady_clock::now();
     const ScratchFolder folder;
     const std::string url = "sqlite:" + folder.path() + "/placode.db";
-    (void)db::restore_store(url, path, actor);
+    (void)restored(url, path, actor);
     const auto store = db::open_store(url);
     std::string newest;
     const auto attempts = store->attempts().list(0);
@@ -103,7 +117,7 @@ int rehearse(const Context& context, const std::string& path) {
 int restore(const Context& context, const std::string& path) {
     const std::string url = store_url_of(context);
     const std::string actor = who_restores(context, url);
-    const std::string aside = db::restore_store(url, path, actor);
+    const std::string aside = restored(url, path, actor);
     const auto last = db::open_store(url)->audit().trail(1);
     const bool unknown = !last.empty() && last.front().detail == db::kErasuresUnknown;
     Json json{{"store", db::parse_store_url(url).shown},
