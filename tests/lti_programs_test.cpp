@@ -217,6 +217,9 @@ TEST_F(LtiPrograms, OnlyWhoMayLinksAndSends) {
     const Outcome gone =
         ctl("lti unlink --config lti.json --issuer https://moodle.example.edu --sub sub-1");
     EXPECT_EQ(gone.status, 0) << gone.err;
+    const std::string trail = ctl("--json audit").out;
+    EXPECT_THAT(trail, HasSubstr("lti.unlink"));
+    EXPECT_THAT(trail, Not(HasSubstr("sub-1"))) << "what the platform calls a person is a name";
     EXPECT_EQ(
         ctl("lti unlink --config lti.json --issuer https://moodle.example.edu --sub sub-1").status,
         2);

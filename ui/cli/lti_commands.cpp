@@ -93,10 +93,13 @@ int run_link(const Context& context, const LinkOptions& options) {
 int run_unlink(const Context& context, const LinkOptions& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kManageUsers, Scope::kOther);
-    if (!lti::remove_link(options.config, options.issuer, options.client_id, options.subject))
+    const auto gone =
+        lti::remove_link(options.config, options.issuer, options.client_id, options.subject);
+    if (!gone)
         throw InputError("--sub: \"" + options.subject + "\" has no link in " + options.config);
-    session.store().audit().write(session.actor(), "lti.unlink", "sub " + options.subject,
-                                  options.issuer);
+    // By number alone: what the platform calls a person is a name as well.
+    session.store().audit().write(session.actor(), "lti.unlink",
+                                  "user " + std::to_string(gone->account), options.issuer);
     print(context, {{"issuer", options.issuer}, {"sub", options.subject}},
           options.subject + " of " + options.issuer +
               " is nobody from now on; a session that is open goes on, at most 12 hours");

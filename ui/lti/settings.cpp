@@ -203,16 +203,16 @@ void add_link(const std::string& file, const std::string& issuer, const std::str
     keep(file, json);
 }
 
-bool remove_link(const std::string& file, const std::string& issuer, const std::string& client_id,
-                 const std::string& subject) {
+std::optional<Link> remove_link(const std::string& file, const std::string& issuer,
+                                const std::string& client_id, const std::string& subject) {
     OrderedJson json = json_of(file);
     const Settings settings = settings_of(json, file);
     const size_t which = index_of(settings, issuer, client_id);
     const size_t at = index_of(settings.platforms[which], subject);
-    if (at == settings.platforms[which].links.size()) return false;
+    if (at == settings.platforms[which].links.size()) return std::nullopt;
     json["platforms"][which]["links"].erase(at);
     keep(file, json);
-    return true;
+    return settings.platforms[which].links[at];
 }
 
 }  // namespace placode::lti

@@ -5,6 +5,7 @@
 // the portal lets people in by it, and placodectl sends their grades.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,8 +61,9 @@ struct Settings {
 /// SettingsError; the file is then as it was.
 void add_link(const std::string& file, const std::string& issuer, const std::string& client_id,
               const Link& link);
-/// False where there was none.
-[[nodiscard]] bool remove_link(const std::string& file, const std::string& issuer,
-                               const std::string& client_id, const std::string& subject);
+/// The link that went; nullopt where there was none.
+[[nodiscard]] std::optional<Link> remove_link(const std::string& file, const std::string& issuer,
+                                              const std::string& client_id,
+                                              const std::string& subject);
 
 }  // namespace placode::lti
