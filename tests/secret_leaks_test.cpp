@@ -72,15 +72,15 @@ class SecretLeaks : public EngineTest {
         if (!is_sqlite()) text.erase(text.find(":" + password_), password_.size() + 1);
         return text;
     }
-    /// placodectl with its home in the test's folder; everything that it said is kept.
-    WatchedRun ctl(std::vector<std::string> arguments, std::vector<std::string> environment = {},
-                   const std::string& input = {}) {
+    /// A program with its home in the test's folder; everything that it said is kept.
+    WatchedRun watch(std::vector<std::string> command, std::vector<std::string> environment = {},
+                     const std::string& input = {}) {
         WatchedProgram program;
-        program.command = {PLACODE_BIN_DIR "/placodectl", "--store", shown_store()};
-        program.command.insert(program.command.end(), arguments.begin(), arguments.end());
+        program.command = std::move(command);
         program.environment = std::move(environment);
         for (const char* name : {"HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
             program.environment.push_back(std::string(name) + "=" + folder.file("home"));
+        program.environment.push_back("PLACODE_LOG=" + folder.file("home/log"));
         if (!is_sqlite() && server_password_.empty()) server_password_ = "PGPASSWORD=" + password_;
         if (!is_sqlite()) program.environment.push_back(server_password_);
         program.input = input;
@@ -88,6 +88,12 @@ class SecretLeaks : public EngineTest {
         said_ += run.said;
         lines_.insert(lines_.end(), run.command_lines.begin(), run.command_lines.end());
         return run;
+    }
+    WatchedRun ctl(const std::vector<std::string>& arguments,
+                   std::vector<std::string> environment = {}, const std::string& input = {}) {
+        std::vector<std::string> command{PLACODE_BIN_DIR "/placodectl", "--store", shown_store()};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        return watch(std::move(command), std::move(environment), input);
     }
     [[nodiscard]] std::vector<std::string> secrets() const {
         std::vector<std::string> all{kPassword, kWrong, kPhrase, kNextPhrase, key_};
@@ -170,6 +176,51 @@ TEST_P(SecretLeaks, NothingThatWasTypedOrSealedComesOut) {
         EXPECT_EQ(by_file.status, 0) << by_file.said;
     }
     EXPECT_GE(lines_.size(), 20u) << "each program is seen when it begins and when it ends";
+    EXPECT_THAT(leaks(), IsEmpty());
+}
+
+/// A browser: one wrong password, the right one, some pages. What is typed lies in files.
+constexpr const char* kBrowser = R"sh(
+"$1" --store "$2" --listen "unix:$3/web.sock" & pid=$!
+for i in $(seq 200); do [ -S "$3/web.sock" ] && break; sleep 0.1; done
+call() { folder=$1; shift; curl -s --unix-socket "$folder/web.sock" -b "$folder/jar" -c "$folder/jar" "$@"; }
+for typed in wrong password; do
+    token=$(call "$3" http://localhost/sign-in | sed -n 's/.*name="form_token" value="\([^"]*\)".*/\1/p' | head -n 1)
+    call "$3" -o "$3/page" -w 'answered %{http_code}\n' --data-urlencode "form_token=$token" \
+        --data-urlencode login=ada --data-urlencode "password@$3/$typed" http://localhost/sign-in
+    cat "$3/page"
+done
+for page in / /people /attempts /nowhere; do call "$3" "http://localhost$page"; done
+kill -TERM $pid
+wait $pid
+)sh";
+
+TEST_P(SecretLeaks, NorDoTheServerForBrowsersAndTheSimulatorSayOne) {
+    put("given/wrong", kWrong);
+    put("given/password", kPassword);
+    put("given/browser.sh", kBrowser);
+    std::string store = shown_store();
+    if (!is_sqlite()) {  // Where people sit the owner's log-in is refused.
+        store = World::get().server().station_url(database);
+        store.erase(store.find(":" + password_), password_.size() + 1);
+    }
+    const WatchedRun web = watch({"/bin/sh", folder.file("given/browser.sh"),
+                                  PLACODE_BIN_DIR "/placode-web", store, folder.file("given")});
+    EXPECT_EQ(web.status, 0) << web.said;
+    EXPECT_THAT(web.said, HasSubstr("answered 403")) << "the wrong password";
+    EXPECT_THAT(web.said, HasSubstr("answered 303")) << "the right one";
+    // The simulator signs what it records, and is started with whatever the shell was.
+    const std::string recording = folder.file("home/a.placode");
+    const WatchedRun sim =
+        watch({PLACODE_BIN_DIR "/placode-sim", "--task", "touch_targets", "--device",
+               "script:expert", "--headless", "--fast", "--duration", "1", "--record", recording},
+              {std::string("PLACODE_PASSWORD=") + kPassword,
+               std::string("PLACODE_PASSPHRASE=") + kPhrase});
+    EXPECT_EQ(sim.status, 0) << sim.said;
+    EXPECT_TRUE(fs::exists(recording));
+    // Below its public half, which everybody may know.
+    key_ = bytes_of(folder.file("given/station.key")).substr(65, 64);
+    EXPECT_EQ(key_.find_first_not_of("0123456789abcdef"), std::string::npos) << "or it is another";
     EXPECT_THAT(leaks(), IsEmpty());
 }
 
