@@ -90,18 +90,20 @@ struct FollowingEntry {
     [[nodiscard]] bool proved() const { return is_proved(entry, before); }
 };
 
-/// Entries `where` says. On a guarded server who has not signed in reads no row: there a function
-/// of the server gives them.
-std::vector<FollowingEntry> following_entries(StoreContext& context, const std::string& function,
-                                              const std::string& where) {
+/// The first entries, or those that trust a station. On a guarded server who has not signed in
+/// reads no row: there a function of the server gives them.
+std::vector<FollowingEntry> following_entries(StoreContext& context, bool of_trust) {
     Connection& connection = context.connection;
     std::vector<FollowingEntry> found;
     if (context.server.guards()) {
-        Statement query(connection, "SELECT * FROM placode_guard." + function + "()");
-        query.run();
+        Statement query(connection,
+                        "SELECT * FROM placode_guard.trail_entries(CAST(? AS INTEGER) <> 0)");
+        query.run(of_trust ? 1 : 0);
         while (query.next()) found.push_back({read_entry(query), query.text("before")});
         return found;
     }
+    const char* const where = of_trust ? "WHERE action = 'station.trust' ORDER BY id"
+                                       : "WHERE id > 0 AND station <> '' ORDER BY id LIMIT 8";
     for (SignedEntry& each : entries_of(connection, where, {})) {
         std::string before = chain_before(connection, each);
         found.push_back({std::move(each), std::move(before)});
@@ -112,8 +114,7 @@ std::vector<FollowingEntry> following_entries(StoreContext& context, const std::
 /// Who began the store: of the first entries the one that is proved, and that the next one goes on
 /// from. One that was put before the first has no such next one.
 std::string first_station(StoreContext& context) {
-    const auto begin = following_entries(context, "trail_begin",
-                                         "WHERE id > 0 AND station <> '' ORDER BY id LIMIT 8");
+    const auto begin = following_entries(context, false);
     for (size_t i = 0; i < begin.size(); ++i) {
         const bool goes_on =
             i + 1 == begin.size() ||
@@ -126,8 +127,7 @@ std::string first_station(StoreContext& context) {
 /// The entries that trust a station and are proved. Anybody who may add rows can say so; only who
 /// is trusted can sign it.
 std::vector<FollowingEntry> proved_trust(StoreContext& context) {
-    auto said =
-        following_entries(context, "trail_trust", "WHERE action = 'station.trust' ORDER BY id");
+    auto said = following_entries(context, true);
     std::erase_if(said, [](const FollowingEntry& each) { return !each.proved(); });
     return said;
 }

@@ -154,7 +154,7 @@ constexpr const char* kCalled =
     "'any_account', 'account_of', 'named_in', 'has_pin', 'invitation_by', 'owner_of_attempt', "
     "'attempt_with', "
     "'attempt_ending', 'verifies', 'verifies_attempt', 'trail_end', 'trail_chain', 'trail_first', "
-    "'trail_begin', 'trail_trust', "
+    "'trail_entries', "
     "'add_entry'";
 
 void add_statements(std::vector<std::string>& sql, const std::string& text) {

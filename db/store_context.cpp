@@ -116,12 +116,16 @@ bool holds_word(const std::string& text, const std::string& word) {
 
 std::string StoreContext::without_names(const std::string& typed) {
     std::string text = typed;
-    // A server shows a station only some names; it answers with those that the text holds.
+    // The engine gives the names that the text may hold: there are thousands of people, and every
+    // entry of the trail asks. A server shows a station only some names, and answers with these.
     const bool guarded = connection.hides_passwords();
-    Statement query(connection,
-                    std::string("SELECT account_id, login, display_name FROM ") +
-                        (guarded ? "placode_guard.named_in(?)" : "persons WHERE ? <> ''") +
-                        " ORDER BY LENGTH(display_name) DESC, account_id");
+    const std::string at = connection.is_sqlite() ? "INSTR" : "STRPOS";
+    Statement query(connection, "SELECT account_id, login, display_name FROM " +
+                                    (guarded ? std::string("placode_guard.named_in(?)")
+                                             : "(SELECT LOWER(?) AS said) s JOIN persons ON " + at +
+                                                   "(said, LOWER(login)) > 0 OR " + at +
+                                                   "(said, LOWER(display_name)) > 0") +
+                                    " ORDER BY LENGTH(display_name) DESC, account_id");
     query.run(typed);
     while (query.next())
         for (const int column : {2, 1})
