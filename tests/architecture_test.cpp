@@ -176,6 +176,35 @@ TEST(Architecture, EachRoomTouchesItsPartOfTheState) {
     }
 }
 
+// A field that is added to a struct of state and not to its list, or not to the recorded hash, does
+// not compile. One that is listed and then handed to nobody compiles: it is found here.
+TEST(Architecture, EveryFieldThatAStateIsTakenApartIntoIsHandedOn) {
+    static const std::regex list_regex(R"(\n( *)    (?:const )?auto& \[([^\]]*)\]\s*=[^;{]*;)"),
+        name_regex(R"(\w+)");
+    const std::set<std::string> hashes{"sim/world/state_hash.cpp",
+                                       "sim/solver/soft_body_state.cpp"};
+    int lists = 0;
+    for (const fs::path& path : sources()) {
+        const std::string file = fs::relative(path, root()).string();
+        if (!file.starts_with("sim/") || (path.extension() != ".h" && !hashes.contains(file)))
+            continue;
+        std::ifstream in(path);
+        const std::string text(std::istreambuf_iterator<char>(in), {});
+        for (std::sregex_iterator list(text.begin(), text.end(), list_regex), end; list != end;
+             ++list) {
+            ++lists;
+            const auto from = static_cast<size_t>(list->position() + list->length());
+            const size_t to = text.find("\n" + (*list)[1].str() + "}\n", from);
+            const std::string body = text.substr(from, to - from), names = (*list)[2];
+            for (std::sregex_iterator name(names.begin(), names.end(), name_regex); name != end;
+                 ++name)
+                EXPECT_TRUE(std::regex_search(body, std::regex("\\b" + name->str() + "\\b")))
+                    << file << ": " << name->str() << " is listed and handed to nobody";
+        }
+    }
+    EXPECT_GT(lists, 60);
+}
+
 // What is verified is what is felt: whoever touches tissue goes through the one core of contact.
 TEST(Architecture, OnlyTheCoreOfContactKnowsItsLaw) {
     std::set<std::string> core_users;

@@ -74,6 +74,15 @@ SegmentStrain<double> segment_at(const Rod& rod, const RodState& state, int j) {
                           1 / rod.length_m()[i], rod.spec().stiffness);
 }
 
+/// Every field by its list, as bytes.
+class Hash : public FnvHash {
+ public:
+    template <class... Lists>
+    void state(const Lists&... lists) noexcept {
+        (bytes(lists.data(), lists.size() * sizeof(lists[0])), ...);
+    }
+};
+
 }  // namespace
 
 RodStiffness round_rod(double radius_m, double youngs_modulus_pa, double poissons_ratio) noexcept {
@@ -138,20 +147,8 @@ void clamp_end(RodState& state, int end) noexcept {
 }
 
 uint64_t state_hash(const RodState& state) noexcept {
-    FnvHash hash;
-    const auto all = [&](const auto& list) {
-        hash.bytes(list.data(), list.size() * sizeof(list[0]));
-    };
-    all(state.x);
-    all(state.v);
-    all(state.q);
-    all(state.w);
-    all(state.node_held);
-    all(state.node_target);
-    all(state.frame_held);
-    all(state.frame_target);
-    all(state.end_held);
-    all(state.end_frame);
+    Hash hash;
+    fields(state, hash);
     return hash.value();
 }
 
