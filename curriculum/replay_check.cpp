@@ -174,11 +174,4 @@ ReplayVerdict ReplayCheck::verdict() {
     return {!impl_->difference, impl_->difference.value_or(Said())};
 }
 
-ReplayVerdict check_replay(const sim::Recording& recording, const Task& published, int threads) {
-    ReplayCheck check(recording, published, threads);
-    while (check.step()) {
-    }
-    return check.verdict();
-}
-
 }  // namespace placode::curriculum

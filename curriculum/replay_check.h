@@ -37,8 +37,4 @@ class ReplayCheck {
     std::unique_ptr<Impl> impl_;
 };
 
-/// All of it at once.
-[[nodiscard]] ReplayVerdict check_replay(const sim::Recording& recording, const Task& published,
-                                         int threads);
-
 }  // namespace placode::curriculum

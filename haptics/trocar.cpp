@@ -116,8 +116,6 @@ Vec3 Trocar::device_force(const Vec3& tip_force_n) const noexcept {
     return settings_.scale * (settings_.R_WD.transpose() * (map.transpose() * tip_force_n));
 }
 
-double Trocar::insertion_depth_m() const noexcept { return (last_.p - tool_.pivot_m).norm(); }
-
 Mat3 camera_basis(const Vec3& scope_pivot_m) {
     const Vec3 towards = scope_pivot_m.normalized();
     Vec3 up = Vec3::UnitX() - Vec3::UnitX().dot(towards) * towards;

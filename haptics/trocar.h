@@ -41,7 +41,6 @@ class Trocar {
     /// Device force for a tip force in W, by the transpose of the motion map at the last pose.
     [[nodiscard]] Vec3 device_force(const Vec3& tip_force_n) const noexcept;
     [[nodiscard]] const TrocarSettings& settings() const noexcept { return settings_; }
-    [[nodiscard]] double insertion_depth_m() const noexcept;
 
  private:
     sim::ToolSpec tool_;

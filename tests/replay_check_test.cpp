@@ -19,6 +19,14 @@ using sim::Recording;
 
 namespace THIS_TEST {
 
+/// All of it at once.
+ReplayVerdict check_replay(const Recording& recording, const Task& published, int threads) {
+    ReplayCheck check(recording, published, threads);
+    while (check.step()) {
+    }
+    return check.verdict();
+}
+
 TEST(ReplayCheck, AnHonestAttemptOfEveryTaskIsIdentical) {
     // In a long run 500 of all tasks, by three levels of operators, each to a time of its own.
     test::Bar bar("honest attempts that replay otherwise");
