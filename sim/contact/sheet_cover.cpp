@@ -97,6 +97,7 @@ double SheetCover::reach(const Vec2& from, const Vec2& way, double most) noexcep
 }
 
 double SheetCover::margin(const Vec2& from, const Vec2& outward, int ways, double most) noexcept {
+    assert(ways >= 1);
     double least = reach(from, outward, most);
     const double step = 0.5 * std::numbers::pi / ways;
     for (int i = 1; i <= ways && least > 0; ++i) {

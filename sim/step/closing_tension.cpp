@@ -3,6 +3,7 @@
 #include "sim/step/closing_tension.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "sim/contact/slit_gap.h"
 #include "sim/core/as_index.h"
@@ -33,6 +34,7 @@ std::vector<double> station_lengths(const Scene& scene) {
 }
 
 ClosingTension closing_tension(const Scene& scene, State& state) {
+    assert(scene.slit.present());
     const std::vector<Slit::Station>& stations = scene.slit.stations;
     const auto levels = as_index(skin_levels(scene.slit));
     std::vector<PulledVertex> pulled;

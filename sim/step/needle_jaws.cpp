@@ -3,6 +3,7 @@
 #include "sim/step/needle_jaws.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "sim/core/as_index.h"
@@ -178,6 +179,7 @@ double wire_between(const ToolSpec& spec, const Pose& X_WT, const Needle& needle
 }
 
 void place_in_jaws(const Scene& scene, State& state) noexcept {
+    assert(scene.suture && !state.suturing.needle.empty());
     Suturing& s = state.suturing;
     for (size_t t = 0; t < scene.tools.size(); ++t) {
         if (scene.tools[t].kind != ToolKind::kNeedleDriver || state.tools[t].engaged == 0) continue;
@@ -190,6 +192,7 @@ void place_in_jaws(const Scene& scene, State& state) noexcept {
 }
 
 void update_needle_jaws(const Scene& scene, State& state, double dt) noexcept {
+    assert(scene.suture && !state.suturing.needle.empty());
     Suturing& s = state.suturing;
     if (s.placed == 0) return;
     SutureState& needle = s.needle[0];
@@ -227,6 +230,7 @@ void update_needle_jaws(const Scene& scene, State& state, double dt) noexcept {
 }
 
 void tell_of_suture(const Scene& scene, State& state, double dt) noexcept {
+    assert(scene.suture && !state.suturing.needle.empty());
     Suturing& s = state.suturing;
     const SutureReport& report = state.scratch->suture_report;
     if (report.dropped) state.flags |= kEventsDropped;

@@ -3,6 +3,7 @@
 #include "sim/step/needle_snapshot.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -203,6 +204,7 @@ class SeenThread {
 }  // namespace
 
 void fill_needle(const Scene& scene, const State& state, NeedleSnapshot& out) {
+    assert(scene.suture && !state.suturing.needle.empty());
     out.present = state.suturing.placed;
     out.driver = state.suturing.driver;
     out.thread.clear();

@@ -3,6 +3,7 @@
 #include "sim/step/watertight.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -33,6 +34,7 @@ double floor_gap(const Scene& scene, const State& state, const Slit::Station& s)
 }  // namespace
 
 SlitPressure::SlitPressure(const Scene& scene, State& state) : scene_(scene), state_(state) {
+    assert(scene.slit.watertight);
     const std::vector<Slit::Station>& stations = scene.slit.stations;
     for (size_t i = 0; i < stations.size(); ++i) {
         const auto half_way_to = [&](size_t other) {
