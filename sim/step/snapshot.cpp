@@ -4,6 +4,9 @@
 #include "sim/step/snapshot.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
 
 #include "sim/cutting/attempt_progress.h"
 #include "sim/fluid/jet_law.h"
@@ -67,11 +70,8 @@ void fill_fluid(const Scene& scene, const State& state, FluidSnapshot& out) {
     }
 }
 
-}  // namespace
-
-void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
-    out.frame = state.frame;
-    out.time_s = state.time_s;
+/// Where every vertex is, and what heat did to it.
+void fill_tissue(const Scene& scene, const State& state, Snapshot& out) {
     const size_t vertices = state.body.x.size();
     out.x.resize(vertices);
     out.damage.resize(vertices);
@@ -107,6 +107,9 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
     if (scene.patch && out.patch.empty()) {
         for (const SurfaceTriangle& t : scene.patch->triangles) out.patch.push_back(t.vertex);
     }
+}
+
+void fill_tools(const Scene& scene, const State& state, Snapshot& out) {
     out.tool_count = static_cast<int>(std::min(scene.tools.size(), out.tools.size()));
     for (int t = 0; t < out.tool_count; ++t) {
         out.tools[t] = tool_snapshot(scene.tools[t], state.tools[t]);
@@ -114,32 +117,37 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
         out.tools[t].buried_m = static_cast<float>(burial.depth_m);
         out.tools[t].buried_length_m = static_cast<float>(burial.length_m);
     }
+}
+
+/// Where a line that was drawn on the tissue lies now.
+void fill_line(std::span<const ContourAnchor> anchors, const Snapshot& tissue,
+               std::vector<std::array<float, 3>>& out) {
+    out.resize(anchors.size());
+    for (size_t i = 0; i < out.size(); ++i) {
+        const ContourAnchor& a = anchors[i];
+        out[i] = {};
+        for (int k = 0; k < 3; ++k) {
+            for (int axis = 0; axis < 3; ++axis)
+                out[i][axis] += a.weight[k] * tissue.x[a.vertex[k]][axis];
+        }
+    }
+}
+
+}  // namespace
+
+void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
+    out.frame = state.frame;
+    out.time_s = state.time_s;
+    fill_tissue(scene, state, out);
+    fill_tools(scene, state, out);
     out.slit = scene.slit.present() ? 1 : 0;
     if (scene.suture) fill_needle(scene, state, out.needle);
     if (scene.irrigation) fill_fluid(scene, state, out.fluid);
     out.contour_cut.assign(state.progress.cut.begin(), state.progress.cut.end());
-    out.contour.resize(scene.contour_anchors.size());
-    for (size_t i = 0; i < out.contour.size(); ++i) {
-        const ContourAnchor& a = scene.contour_anchors[i];
-        out.contour[i] = {};
-        for (int k = 0; k < 3; ++k) {
-            for (int axis = 0; axis < 3; ++axis) {
-                out.contour[i][axis] += a.weight[k] * out.x[a.vertex[k]][axis];
-            }
-        }
-    }
+    fill_line(scene.contour_anchors, out, out.contour);
     out.resected_fraction = static_cast<float>(gone_share(scene, state));
     out.resect_cut.assign(state.resection.cut.begin(), state.resection.cut.end());
-    out.resect_line.resize(scene.resection.anchors.size());
-    for (size_t i = 0; i < out.resect_line.size(); ++i) {
-        const ContourAnchor& a = scene.resection.anchors[i];
-        out.resect_line[i] = {};
-        for (int k = 0; k < 3; ++k) {
-            for (int axis = 0; axis < 3; ++axis) {
-                out.resect_line[i][axis] += a.weight[k] * out.x[a.vertex[k]][axis];
-            }
-        }
-    }
+    fill_line(scene.resection.anchors, out, out.resect_line);
     out.free_sectors = state.release.free_count;
     out.pieces_out = state.pieces.out;
     out.phase = state.phase;
