@@ -64,29 +64,29 @@ void Environment::enter(const std::shared_ptr<const Field>& field) {
 
 void Environment::reset(uint64_t seed) {
     enter(fields_->field(task_, field_seed(seed)));
-    seed_ = seed;
+    episode_.seed = seed;
     sim::load_own_state(*state_, field_->settled);
-    hands_.emplace(field_->scene->tools);
-    hands_->reset(seed, options_.start_spread_m);
+    episode_.hands.emplace(field_->scene->tools);
+    episode_.hands->reset(seed, options_.start_spread_m);
     const std::vector<curriculum::TaskStep> steps = curriculum::steps_for(field_->task, "script");
-    frames_.emplace(field_->task, steps, *field_->scene, *state_,
-                    curriculum::limit_of(field_->task, options_.time_limit_s));
+    episode_.frames.emplace(field_->task, steps, *field_->scene, *state_,
+                            curriculum::limit_of(field_->task, options_.time_limit_s));
     curriculum::AttemptOptions header_of;
     header_of.device = "environment";
     header_of.demonstration = true;  // nobody takes it for a person's
-    book_ = EpisodeBook(
+    episode_.book = EpisodeBook(
         curriculum::recording_header(field_->task, field_->seed, header_of, *field_->scene),
         options_.record);
-    inputs_ = {};
-    feedback_ = {};
-    frames_->begin(book_);
-    judged_ = {};
-    end_ = EndReason::kRunning;
-    paid_points_ = 0;
+    episode_.inputs = {};
+    episode_.feedback = {};
+    episode_.frames->begin(episode_.book);
+    episode_.judged = {};
+    episode_.end = EndReason::kRunning;
+    episode_.paid_points = 0;
     looked_ = -1;
     look_for_goals();
-    reached_ = goals_.reached;
-    potential_m_ = approach();
+    episode_.reached = goals_.reached;
+    episode_.potential_m = approach();
 }
 
 void Environment::need_begun() const {
@@ -118,56 +118,58 @@ void Environment::check(std::span<const double> actions, int frames) const {
 StepOutcome Environment::step(std::span<const double> actions, int frames, bool finish) {
     check(actions, frames);
     const size_t count = tools();
-    const std::span<const sim::ToolInput> inputs{inputs_.data(), count};
+    const std::span<const sim::ToolInput> inputs{episode_.inputs.data(), count};
     const double frame_s = field_->task.scene.solver.frame_s;
-    hands_->aim(options_.units, options_.speed_m_s, actions, frames, frame_s);
+    episode_.hands->aim(options_.units, options_.speed_m_s, actions, frames, frame_s);
     StepOutcome out;
     while (out.frames < frames && !ended()) {
         ++out.frames;
-        hands_->next({inputs_.data(), count});
-        const sim::StepReport report =
-            frames_->simulate(*state_, inputs, {feedback_.data(), count}, book_);
-        frames_->look(*state_, report, inputs, book_);
-        end_ = frames_->ended(*state_, inputs, finish && out.frames == frames);
+        episode_.hands->next({episode_.inputs.data(), count});
+        const sim::StepReport report = episode_.frames->simulate(
+            *state_, inputs, {episode_.feedback.data(), count}, episode_.book);
+        episode_.frames->look(*state_, report, inputs, episode_.book);
+        episode_.end = episode_.frames->ended(*state_, inputs, finish && out.frames == frames);
     }
-    if (book_.lost()) throw std::bad_alloc();
+    if (episode_.book.lost()) throw std::bad_alloc();
     if (ended())
         finish_attempt();
     else if (options_.judge_every_s > 0 &&
-             state_->time_s - judged_.at_s >= options_.judge_every_s - frame_s / 2)
+             state_->time_s - episode_.judged.at_s >= options_.judge_every_s - frame_s / 2)
         judge_now();
-    out.end = end_;
-    out.success = ended() && judged_.score.verdict == assessment::Verdict::kPassed;
-    out.score_part = (judged_.score.points - paid_points_) / 100;
-    paid_points_ = judged_.score.points;
+    out.end = episode_.end;
+    out.success = ended() && episode_.judged.score.verdict == assessment::Verdict::kPassed;
+    out.score_part = (episode_.judged.score.points - episode_.paid_points) / 100;
+    episode_.paid_points = episode_.judged.score.points;
     look_for_goals();
     const double now = approach();
     // Something was reached: the way to the next goal begins here.
-    if (goals_.reached == reached_ && !ended())
-        out.approach_part = options_.approach_weight * (now - potential_m_) / kApproachUnitM;
-    reached_ = goals_.reached;
-    potential_m_ = now;
-    out.reward = options_.sparse ? (ended() ? judged_.score.points / 100 : 0)
+    if (goals_.reached == episode_.reached && !ended())
+        out.approach_part =
+            options_.approach_weight * (now - episode_.potential_m) / kApproachUnitM;
+    episode_.reached = goals_.reached;
+    episode_.potential_m = now;
+    out.reward = options_.sparse ? (ended() ? episode_.judged.score.points / 100 : 0)
                                  : out.score_part + out.approach_part;
     return out;
 }
 
 void Environment::finish_attempt() {
-    frames_->close(*state_, book_);
-    book_.end(frames_->seal(*state_, end_, book_));
-    judged_ = judge_finished(field_->task.rubric, book_.recording());
+    episode_.frames->close(*state_, episode_.book);
+    episode_.book.end(episode_.frames->seal(*state_, episode_.end, episode_.book));
+    episode_.judged = judge_finished(field_->task.rubric, episode_.book.recording());
 }
 
 void Environment::judge_now() {
-    judged_ = judge_unfinished(field_->task.rubric, book_.recording(),
-                               frames_->entries_if_closed(*state_), state_->time_s, false);
+    episode_.judged =
+        judge_unfinished(field_->task.rubric, episode_.book.recording(),
+                         episode_.frames->entries_if_closed(*state_), state_->time_s, false);
 }
 
 Judgement Environment::judge_in_full() {
     need_begun();
-    if (ended()) return judged_;
-    return judge_unfinished(field_->task.rubric, book_.recording(),
-                            frames_->entries_if_closed(*state_), state_->time_s, true);
+    if (ended()) return episode_.judged;
+    return judge_unfinished(field_->task.rubric, episode_.book.recording(),
+                            episode_.frames->entries_if_closed(*state_), state_->time_s, true);
 }
 
 haptics::Perception Environment::look() {
@@ -176,8 +178,8 @@ haptics::Perception Environment::look() {
     looked_ = state_->frame;
     haptics::Perception seen = sight_->seen(*state_);
     seen.tools = feedback();
-    seen.cut_fraction = static_cast<float>(frames_->cut_fraction());
-    seen.practice = frames_->goal();
+    seen.cut_fraction = static_cast<float>(episode_.frames->cut_fraction());
+    seen.practice = episode_.frames->goal();
     return seen;
 }
 
@@ -186,7 +188,7 @@ std::array<sim::Pose, sim::kMaxTools> Environment::poses() const {
     std::array<sim::Pose, sim::kMaxTools> poses;
     for (size_t i = 0; i < tools(); ++i) poses[i] = state_->tools[i].proxy;
     if (state_->frame > 0) return poses;
-    Hands hands = *hands_;
+    Hands hands = *episode_.hands;
     std::array<sim::ToolInput, sim::kMaxTools> first;
     hands.next({first.data(), tools()});
     for (size_t i = 0; i < tools(); ++i) poses[i] = first[i].pose();
@@ -224,11 +226,11 @@ void Environment::observe(std::span<double> out) {
                           *state_,
                           seen,
                           goals_,
-                          *hands_,
-                          book_,
+                          *episode_.hands,
+                          episode_.book,
                           {now.data(), tools()},
-                          frames_->time_limit_s(),
-                          judged_.score.points},
+                          episode_.frames->time_limit_s(),
+                          episode_.judged.score.points},
                          out);
 }
 
@@ -243,10 +245,10 @@ const sim::State& Environment::state() const {
 }
 
 std::span<const sim::ToolFeedback> Environment::feedback() const {
-    return {feedback_.data(), tools()};
+    return {episode_.feedback.data(), tools()};
 }
 
-std::span<const sim::Event> Environment::events() const { return book_.recording().events; }
+std::span<const sim::Event> Environment::events() const { return episode_.book.recording().events; }
 
 const sim::Recording& Environment::recording() const {
     need_begun();
@@ -256,7 +258,7 @@ const sim::Recording& Environment::recording() const {
     if (!ended())
         throw EnvironmentError(Kind::kRunning,
                                "the attempt is not over: step with finish, then write it");
-    return book_.recording();
+    return episode_.book.recording();
 }
 
 }  // namespace placode::environment

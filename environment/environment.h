@@ -48,22 +48,29 @@ struct StepOutcome {
     int frames = 0;        ///< Simulated: fewer than asked for when the attempt ended.
 };
 
+/// An attempt as it stands now, but for field and tissue. Copied as a whole, so that a saved moment
+/// forgets nothing of it.
+struct Episode {
+    uint64_t seed = 0;
+    std::optional<curriculum::AttemptFrames> frames;  ///< Nothing before the first reset.
+    std::optional<Hands> hands;
+    std::array<sim::ToolInput, sim::kMaxTools> inputs{};
+    std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
+    EpisodeBook book;
+    Judgement judged;
+    sim::EndReason end = sim::EndReason::kRunning;
+    double potential_m = 0;  ///< Minus the mean way to the goals, at the last step.
+    double paid_points = 0;  ///< Of the score, so far rewarded.
+    int64_t reached = 0;     ///< Goals.
+};
+
 /// A moment of an attempt. For any environment of the same task, in this program.
 struct SavedMoment {
     [[nodiscard]] size_t bytes() const;
 
     std::shared_ptr<const Field> field;
-    uint64_t seed = 0;
     std::vector<uint8_t> state;
-    std::optional<curriculum::AttemptFrames> frames;
-    std::optional<Hands> hands;
-    std::array<sim::ToolInput, sim::kMaxTools> inputs;
-    std::array<sim::ToolFeedback, sim::kMaxTools> feedback;
-    EpisodeBook book;
-    Judgement judged;
-    sim::EndReason end = sim::EndReason::kRunning;
-    double potential_m = 0, paid_points = 0;
-    int64_t reached = 0;
+    Episode episode;
 };
 
 /// One thread at a time. Functions throw EnvironmentError, and what loading and building throw
@@ -93,27 +100,29 @@ class Environment {
     void restore(const SavedMoment& saved);
 
     [[nodiscard]] bool began() const { return state_ != nullptr; }
-    [[nodiscard]] bool ended() const { return end_ != sim::EndReason::kRunning; }
+    [[nodiscard]] bool ended() const { return episode_.end != sim::EndReason::kRunning; }
     [[nodiscard]] const curriculum::Task& task() const { return task_; }
     [[nodiscard]] const EnvironmentOptions& options() const { return options_; }
     [[nodiscard]] size_t tools() const { return task_.scene.tools.size(); }
-    [[nodiscard]] uint64_t seed() const { return seed_; }
+    [[nodiscard]] uint64_t seed() const { return episode_.seed; }
     /// The field that this seed gets.
     [[nodiscard]] uint64_t field_seed(uint64_t seed) const;
     // After reset().
     [[nodiscard]] const Field& field() const;
     [[nodiscard]] const sim::State& state() const;
-    [[nodiscard]] const Hands& hands() const { return *hands_; }
+    [[nodiscard]] const Hands& hands() const { return *episode_.hands; }
     /// Counts resets and restored moments: what was seen before does not lead to what is seen now.
     [[nodiscard]] uint32_t jumps() const { return jumps_; }
     [[nodiscard]] std::span<const sim::ToolFeedback> feedback() const;
-    [[nodiscard]] const curriculum::AttemptFrames& frames() const { return *frames_; }
+    [[nodiscard]] const curriculum::AttemptFrames& frames() const { return *episode_.frames; }
     [[nodiscard]] std::span<const sim::Event> events() const;
     /// Of every frame so far, where the option record keeps them.
-    [[nodiscard]] const std::vector<sim::Input>& inputs() const { return book_.recording().inputs; }
+    [[nodiscard]] const std::vector<sim::Input>& inputs() const {
+        return episode_.book.recording().inputs;
+    }
     /// The last time that the score was asked for; at the end that of the attempt. Before it with
     /// the metrics that the rubric looks at only.
-    [[nodiscard]] const Judgement& judged() const { return judged_; }
+    [[nodiscard]] const Judgement& judged() const { return episode_.judged; }
     /// The score now, with every metric. Rewards go on from judged().
     [[nodiscard]] Judgement judge_in_full();
     /// The whole attempt, when it is over. Throws when it is not or no inputs were kept.
@@ -133,22 +142,13 @@ class Environment {
     EnvironmentOptions options_;
     curriculum::Task task_;
     std::vector<std::string> names_;
-    uint64_t seed_ = 0;
     std::shared_ptr<const Field> field_;
     std::unique_ptr<sim::State> state_;
     std::unique_ptr<curriculum::OperatorSight> sight_;
     int64_t looked_ = -1;  // frame of the last look
     uint32_t jumps_ = 0;
-    std::optional<curriculum::AttemptFrames> frames_;
-    std::optional<Hands> hands_;
-    std::array<sim::ToolInput, sim::kMaxTools> inputs_{};
-    std::array<sim::ToolFeedback, sim::kMaxTools> feedback_{};
-    EpisodeBook book_;
-    Judgement judged_;
+    Episode episode_;
     ToolGoals goals_;
-    sim::EndReason end_ = sim::EndReason::kRunning;
-    double potential_m_ = 0, paid_points_ = 0;
-    int64_t reached_ = 0;
 };
 
 }  // namespace placode::environment

@@ -7,7 +7,7 @@
 namespace placode::environment {
 
 size_t SavedMoment::bytes() const {
-    const sim::Recording& r = book.recording();
+    const sim::Recording& r = episode.book.recording();
     return state.size() + r.inputs.size() * sizeof(sim::Input) +
            r.samples.size() * sizeof(sim::Sample) + r.events.size() * sizeof(sim::Event);
 }
@@ -15,18 +15,8 @@ size_t SavedMoment::bytes() const {
 void Environment::save(SavedMoment& into) const {
     need_begun();
     into.field = field_;
-    into.seed = seed_;
     sim::save_state(*field_->scene, *state_, into.state);
-    into.frames.emplace(*frames_);
-    into.hands.emplace(*hands_);
-    into.inputs = inputs_;
-    into.feedback = feedback_;
-    into.book = book_;
-    into.judged = judged_;
-    into.end = end_;
-    into.potential_m = potential_m_;
-    into.paid_points = paid_points_;
-    into.reached = reached_;
+    into.episode = episode_;
 }
 
 void Environment::restore(const SavedMoment& saved) {
@@ -40,19 +30,9 @@ void Environment::restore(const SavedMoment& saved) {
                                    saved.field->task.id + ", expected " + task_.id);
     enter(saved.field);
     sim::load_own_state(*state_, saved.state);
-    seed_ = saved.seed;
-    frames_.emplace(*saved.frames);
-    hands_.emplace(*saved.hands);
-    inputs_ = saved.inputs;
-    feedback_ = saved.feedback;
-    book_ = saved.book;
-    judged_ = saved.judged;
-    end_ = saved.end;
+    episode_ = saved.episode;
     looked_ = -1;
     look_for_goals();
-    potential_m_ = saved.potential_m;
-    paid_points_ = saved.paid_points;
-    reached_ = saved.reached;
 }
 
 }  // namespace placode::environment
