@@ -91,6 +91,14 @@ int LevelAttempts::attempts() const {
     return static_cast<int>(n);
 }
 
+int LevelAttempts::passed() const {
+    int n = 0;
+    for (const auto& [person, attempts] : by_person)
+        for (const MeasuredAttempt& each : attempts)
+            n += each.record.verdict == assessment::Verdict::kPassed ? 1 : 0;
+    return n;
+}
+
 std::vector<LevelAttempts> level_attempts(
     Store& store, const std::string& task_id,
     const std::map<std::string, std::vector<int64_t>>& people) {
@@ -135,6 +143,21 @@ std::vector<double> level_values(const LevelAttempts& level, const std::string& 
             values.insert(values.end(), own.begin(), own.end());
     }
     return values;
+}
+
+assessment::ContrastingGroups pass_mark_between(const LevelAttempts& novices,
+                                                const LevelAttempts& experts,
+                                                const std::string& metric, bool per_person) {
+    auto low = level_values(novices, metric, per_person);
+    auto high = level_values(experts, metric, per_person);
+    // The method wants high values to be good.
+    const double sign = direction_of(metric) == assessment::Direction::kLowerIsBetter ? -1 : 1;
+    for (auto* values : {&low, &high})
+        for (double& value : *values) value *= sign;
+    assessment::ContrastingGroups groups = assessment::contrasting_groups(low, high);
+    for (double* each : {&groups.cut_score, &groups.mean_novice, &groups.mean_expert})
+        *each *= sign;
+    return groups;
 }
 
 curriculum::NormPack make_norms(const std::vector<LevelAttempts>& levels, const std::string& centre,

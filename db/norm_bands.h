@@ -22,6 +22,7 @@ struct LevelAttempts {
     std::map<int64_t, std::vector<MeasuredAttempt>> by_person;
     int left_out = 0;  ///< Of older versions.
     [[nodiscard]] int attempts() const;
+    [[nodiscard]] int passed() const;  ///< Of these attempts.
 };
 /// @param people account ids by level.
 [[nodiscard]] std::vector<LevelAttempts> level_attempts(
@@ -38,6 +39,13 @@ struct LevelAttempts {
 /// Mean of each person's attempts (per_person), or each attempt.
 [[nodiscard]] std::vector<double> level_values(const LevelAttempts& level,
                                                const std::string& metric, bool per_person);
+
+/// Pass mark of a metric, or "points", by contrasting groups, whichever way the metric goes.
+/// @param per_person  As in level_values(). Throws as assessment::contrasting_groups().
+[[nodiscard]] assessment::ContrastingGroups pass_mark_between(const LevelAttempts& novices,
+                                                              const LevelAttempts& experts,
+                                                              const std::string& metric,
+                                                              bool per_person);
 
 /// Bands of every level and metric, of persons' means. Throws StoreError(kRefused) naming a level
 /// with fewer than `least` persons (never below curriculum::kLeastNormGroup), or mixed rubrics.

@@ -3,19 +3,14 @@
 // placodectl demo: people and attempts to look at. Every attempt is really simulated, by a scripted
 // operator, and recorded; everything is marked as demonstration. A second run adds what is missing.
 
-#include <array>
+#include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <ctime>
-#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <thread>
 
-#include "curriculum/attempt_runner.h"
-#include "curriculum/utc_time.h"
 #include "db/demonstration.h"
-#include "db/recording_file.h"
+#include "db/demonstration_attempts.h"
 #include "sim/core/counted.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/save_recording.h"
@@ -24,55 +19,11 @@
 namespace placode::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct Person {
-    const char *login, *name;
-    db::Role role;
-};
-constexpr std::array kPeople{
-    Person{"demo-anna", "Anna Demo", db::Role::kTrainee},
-    Person{"demo-jan", "Jan Demo", db::Role::kTrainee},
-    Person{"demo-educator", "Ewa Demo", db::Role::kEducator},
-    Person{"demo-coordinator", "Karol Demo", db::Role::kCoordinator},
-    Person{"demo-admin", "Adam Demo", db::Role::kAdministrator},
-};
-
-struct Planned {
-    const char *login, *device;
-    uint64_t seed;
-};
-constexpr std::array kAttempts{
-    Planned{"demo-anna", "script:novice", 11},      Planned{"demo-anna", "script:intermediate", 12},
-    Planned{"demo-anna", "script:expert", 13},      Planned{"demo-jan", "script:novice", 21},
-    Planned{"demo-jan", "script:intermediate", 22},
-};
-
 struct DemoOptions {
     std::string task = "diathermy_ring";
-    int attempts = static_cast<int>(kAttempts.size());
+    int attempts = static_cast<int>(db::demonstration_attempts().size());
     int threads = 2;
 };
-
-/// Creates those who are missing; never changes an account that is there.
-void add_people(Session& session, std::vector<std::string>& created) {
-    for (const Person& person : kPeople) {
-        if (session.program_store().accounts().find_login(person.login)) continue;
-        session.program_store().accounts().create({person.login, person.name,
-                                                   db::kDemonstrationPassword,
-                                                   static_cast<db::Roles>(person.role), true});
-        created.emplace_back(person.login);
-    }
-}
-
-bool is_there(Session& session, const Planned& planned, const std::string& task) {
-    const auto user = session.program_store().accounts().find_login(planned.login);
-    for (const auto& attempt : session.program_store().attempts().list(user->id, task))
-        if (attempt.device == planned.device && attempt.seed == planned.seed &&
-            attempt.demonstration)
-            return true;
-    return false;
-}
 
 std::string progress_words(const std::string& what, const curriculum::AttemptStatus& status) {
     return what + ": " + fixed(status.time_s, 1) + " s, " +
@@ -81,30 +32,19 @@ std::string progress_words(const std::string& what, const curriculum::AttemptSta
 }
 
 /// Simulates, records, scores and saves one attempt. Returns false when it was cancelled.
-bool run_attempt(Session& session, const Planned& planned, const DemoOptions& options,
-                 const std::string& what, Json& json) {
+bool run_attempt(Session& session, const db::DemonstrationAttempt& planned,
+                 const DemoOptions& options, const std::string& what, Json& json) {
     const ScratchFolder scratch;
     const std::string file = scratch.file("attempt.placode");
-    const curriculum::Task task = curriculum::load_task(options.task);
-    curriculum::AttemptOptions how;
-    how.device = planned.device;
-    how.threads = options.threads;
-    how.fast = true;
-    how.demonstration = true;
-    how.started_utc = curriculum::utc_text(std::time(nullptr));
     const auto start = std::chrono::steady_clock::now();
-    {
-        curriculum::AttemptRunner runner(task, planned.seed, how, db::create_recording_file(file));
-        runner.start();
-        while (!runner.finished()) {
-            if (CancelOn::requested()) runner.request_finish(sim::EndReason::kClosed);
-            show_progress(progress_words(what, runner.status()));
-            std::this_thread::sleep_for(std::chrono::milliseconds(100));
-        }
-        runner.wait();
-    }
+    const auto go_on = [&what](const curriculum::AttemptStatus& status) {
+        show_progress(progress_words(what, status));
+        return !CancelOn::requested();
+    };
+    const bool complete =
+        db::record_demonstration(planned, options.task, options.threads, file, go_on);
     clear_progress();
-    if (CancelOn::requested()) return false;
+    if (!complete || CancelOn::requested()) return false;
     const auto user = session.program_store().accounts().find_login(planned.login);
     const SavedAttempt saved = save_recording(session.program_store(), user->id, file);
     const double wall_s =
@@ -126,17 +66,17 @@ int demo(const Context& context, const DemoOptions& options) {
     session.need(db::Action::kManageUsers, db::Scope::kOther);
     // Ends the attempt that runs, and keeps what is complete.
     const CancelOn on_interrupt{SIGINT, SIGTERM};
-    std::vector<std::string> created;
-    add_people(session, created);
+    const auto created = db::add_demonstration_people(session.program_store());
     Json json{{"store", session.program_store().url()},
               {"created_users", created},
               {"password", db::kDemonstrationPassword},
               {"attempts", Json::array()}};
     int there = 0;
-    const auto count = std::min<size_t>(kAttempts.size(), static_cast<size_t>(options.attempts));
+    const auto attempts = db::demonstration_attempts();
+    const auto count = std::min(attempts.size(), static_cast<size_t>(options.attempts));
     for (size_t i = 0; i < count && !CancelOn::requested(); ++i) {
-        const Planned& planned = kAttempts[i];
-        if (is_there(session, planned, options.task)) {
+        const db::DemonstrationAttempt& planned = attempts[i];
+        if (db::has_demonstration(session.program_store(), planned, options.task)) {
             ++there;
             continue;
         }
@@ -149,7 +89,8 @@ int demo(const Context& context, const DemoOptions& options) {
     json["cancelled"] = CancelOn::requested();
     std::string text = "demonstration accounts in " + session.program_store().url() +
                        ", password \"" + db::kDemonstrationPassword + "\":\n";
-    for (const Person& person : kPeople) text += std::string("  ") + person.login + "\n";
+    for (const db::DemonstrationPerson& person : db::demonstration_people())
+        text += std::string("  ") + person.login + "\n";
     text += sim::counted(json["attempts"].size(), "attempt") + " simulated, " +
             std::to_string(there) + " were there";
     if (CancelOn::requested())
@@ -166,7 +107,7 @@ void add_demo_commands(CLI::App& app, Context& context) {
         "demo", "Fills the store with demonstration accounts and attempts of scripted operators");
     command->add_option("--task", options->task, "Task id")->capture_default_str();
     command->add_option("--attempts", options->attempts, "How many attempts at most")
-        ->check(CLI::Range(0, static_cast<int>(kAttempts.size())))
+        ->check(CLI::Range(0, options->attempts))
         ->capture_default_str();
     command->add_option("--threads", options->threads, "Threads of the simulation")
         ->check(CLI::Range(1, 64))

@@ -1,19 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// placodectl norms ...: bands of groups, pass marks, quality of metrics, exchange between centres.
+// placodectl norms ...: bands of groups and their exchange between centres.
 
-#include <algorithm>
 #include <fstream>
 #include <memory>
-#include <stdexcept>
 
 #include "db/norm_bands.h"
 #include "db/signature.h"
 #include "sim/core/counted.h"
-#include "sim/core/near_word.h"
 #include "ui/cli/centre_passphrase.h"
 #include "ui/cli/norms_key_commands.h"
 #include "ui/cli/norms_quality.h"
+#include "ui/cli/norms_standard.h"
 #include "ui/cli/people.h"
 
 namespace placode::cli {
@@ -23,13 +21,11 @@ using db::Action;
 using db::Scope;
 
 struct NormsOptions {
-    std::string task, file, centre, metric = "points", novices, experts, level = "expert";
-    std::string passphrase_file;
+    std::string task, file, centre, level = "expert", passphrase_file;
     std::vector<std::string> levels;
-    QualityOptions quality;
     int64_t id = 0;
     int least = curriculum::kLeastNormGroup;
-    bool trust = false, per_attempt = false;
+    bool trust = false;
 };
 
 Session educator(const Context& context) {
@@ -225,77 +221,6 @@ int compare(const Context& context, const NormsOptions& options) {
     return 0;
 }
 
-struct TwoLevels {
-    db::LevelAttempts novices, experts;
-};
-TwoLevels two_levels(Session& session, const NormsOptions& options) {
-    auto levels = db::level_attempts(session.store(), options.task,
-                                     {{"expert", find_group(session, options.experts).members},
-                                      {"novice", find_group(session, options.novices).members}});
-    return {std::move(levels[1]), std::move(levels[0])};
-}
-
-/// A metric that nobody measures has no values, which says less than that it is misspelt.
-void need_metric(const std::string& id) {
-    if (id == "points" || assessment::metric_definition(id) != nullptr) return;
-    std::vector<std::string> known{"points"};
-    for (const auto& each : assessment::metric_definitions()) known.emplace_back(each.id);
-    throw InputError("--metric: unknown metric \"" + id +
-                     "\"; expected \"points\" or one that `placodectl score` prints" +
-                     sim::did_you_mean(id, known));
-}
-
-int standard(const Context& context, const NormsOptions& options) {
-    need_metric(options.metric);
-    Session session = educator(context);
-    const auto [novices, experts] = two_levels(session, options);
-    auto low = db::level_values(novices, options.metric, !options.per_attempt);
-    auto high = db::level_values(experts, options.metric, !options.per_attempt);
-    // The method wants high values to be good.
-    const double sign =
-        db::direction_of(options.metric) == assessment::Direction::kLowerIsBetter ? -1 : 1;
-    for (auto* values : {&low, &high})
-        for (double& value : *values) value *= sign;
-    assessment::ContrastingGroups groups;
-    try {
-        groups = assessment::contrasting_groups(low, high);
-        for (double* each : {&groups.cut_score, &groups.mean_novice, &groups.mean_expert})
-            *each *= sign;
-    } catch (const std::invalid_argument& error) {
-        throw InputError("norms standard: " + std::string(error.what()) + " (" +
-                         std::to_string(low.size()) + " novice and " + std::to_string(high.size()) +
-                         " expert values of " + options.metric + ")");
-    }
-    print(context,
-          {{"task", options.task},
-           {"metric", options.metric},
-           {"unit", options.per_attempt ? "attempt" : "person"},
-           {"n_novice", groups.n_novice},
-           {"n_expert", groups.n_expert},
-           {"mean_novice", groups.mean_novice},
-           {"sd_novice", groups.sd_novice},
-           {"mean_expert", groups.mean_expert},
-           {"sd_expert", groups.sd_expert},
-           {"cut_score", groups.cut_score},
-           {"theoretical_false_positive", groups.theoretical_false_positive},
-           {"theoretical_false_negative", groups.theoretical_false_negative},
-           {"observed_false_positive", groups.observed_false_positive},
-           {"observed_false_negative", groups.observed_false_negative},
-           {"auc", groups.auc}},
-          "pass mark " + fixed(groups.cut_score, 2) + " " + options.metric + " (novices " +
-              fixed(groups.mean_novice, 1) + " SD " + fixed(groups.sd_novice, 1) + ", experts " +
-              fixed(groups.mean_expert, 1) + " SD " + fixed(groups.sd_expert, 1) +
-              ")\nfalse passes: theoretical " + fixed(100 * groups.theoretical_false_positive, 1) +
-              " %, observed " + fixed(100 * groups.observed_false_positive, 1) +
-              " %; false fails: theoretical " + fixed(100 * groups.theoretical_false_negative, 1) +
-              " %, observed " + fixed(100 * groups.observed_false_negative, 1) + " %");
-    return 0;
-}
-
-int quality(const Context& context, const NormsOptions& options) {
-    return norms_quality(context, options.quality);
-}
-
 }  // namespace
 
 void add_norms_commands(CLI::App& app, Context& context) {
@@ -339,32 +264,8 @@ void add_norms_commands(CLI::App& app, Context& context) {
     compared->add_option("ATTEMPT", options->id, "Number")->required();
     compared->add_option("--level", options->level, "Of the band, such as expert")
         ->capture_default_str();
-    CLI::App* mark = command("standard", "Pass mark from contrasting groups", standard);
-    mark->add_option("TASK", options->task, "Task id")->required();
-    mark->add_option("--novices", options->novices, "Group")->required();
-    mark->add_option("--experts", options->experts, "Group")->required();
-    mark->add_option("--metric", options->metric, "\"points\" or a metric's id")
-        ->capture_default_str();
-    mark->add_flag("--per-attempt", options->per_attempt,
-                   "Every attempt counts, not each person's mean");
-    QualityOptions& of = options->quality;
-    CLI::App* panel =
-        command("quality",
-                "How much each metric is worth, and whether the score tells groups apart", quality);
-    panel->add_option("TASK", of.task, "Task id")->required();
-    panel->add_option("--novices", of.novices, "Group");
-    panel->add_option("--intermediates", of.intermediates, "Group that should lie between");
-    panel->add_option("--experts", of.experts, "Group");
-    CLI::Option* recordings =
-        panel->add_option("--recordings", of.recordings,
-                          "Instead of groups: a folder with recordings of scripted operators");
-    panel
-        ->add_option("--batch", of.batch,
-                     "Instead of groups: a batch of rollouts, planned with --metrics")
-        ->excludes(recordings);
-    panel->add_option("--repeats", of.repeats, "Attempts a person that enter the ICC")
-        ->check(CLI::Range(2, 100))
-        ->capture_default_str();
+    add_norms_standard_command(*norms, context);
+    add_norms_quality_command(*norms, context);
 }
 
 }  // namespace placode::cli

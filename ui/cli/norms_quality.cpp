@@ -3,21 +3,14 @@
 #include "ui/cli/norms_quality.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "assessment/known_groups.h"
+#include "assessment/statistics.h"
 #include "ui/cli/norm_levels.h"
 
 namespace placode::cli {
 namespace {
-
-/// How many attempts passed.
-int passes(const db::LevelAttempts& level) {
-    int n = 0;
-    for (const auto& [person, attempts] : level.by_person)
-        for (const auto& each : attempts)
-            n += each.record.verdict == assessment::Verdict::kPassed ? 1 : 0;
-    return n;
-}
 
 Json separation_json(const assessment::Separation& found) {
     return {{"auc", found.auc},
@@ -31,7 +24,7 @@ std::string separation_text(const assessment::Separation& found) {
 }
 
 /// The score of known groups, in words and as JSON; nothing where one of them is empty.
-std::string describe_score(const Levels& levels, Json& json) {
+std::string describe_score(const batches::SkillLevels& levels, Json& json) {
     const auto low = db::level_values(levels.novices, "points", true);
     const auto middle = db::level_values(levels.intermediates, "points", true);
     const auto high = db::level_values(levels.experts, "points", true);
@@ -43,9 +36,9 @@ std::string describe_score(const Levels& levels, Json& json) {
             {"novice_median", groups.novice_median},
             {"intermediate_median", optional_number(groups.intermediate_median)},
             {"expert_median", groups.expert_median},
-            {"novices_passed", passes(levels.novices)},
-            {"intermediates_passed", passes(levels.intermediates)},
-            {"experts_passed", passes(levels.experts)},
+            {"novices_passed", levels.novices.passed()},
+            {"intermediates_passed", levels.intermediates.passed()},
+            {"experts_passed", levels.experts.passed()},
             {"not_attempted", levels.not_attempted},
             {"expert_novice", separation_json(groups.expert_novice)}};
     std::string text = "score: area under the curve, experts against novices " +
@@ -64,12 +57,10 @@ std::string describe_score(const Levels& levels, Json& json) {
                          const db::LevelAttempts& level) {
         if (values.empty()) return;
         const auto [least, most] = std::minmax_element(values.begin(), values.end());
-        std::vector<double> sorted = values;
-        std::sort(sorted.begin(), sorted.end());
-        rows.push_back({name, std::to_string(values.size()),
-                        fixed((sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]) / 2, 1),
-                        fixed(*least, 1), fixed(*most, 1),
-                        std::to_string(passes(level)) + " of " + std::to_string(level.attempts())});
+        rows.push_back(
+            {name, std::to_string(values.size()), fixed(assessment::median_of(values), 1),
+             fixed(*least, 1), fixed(*most, 1),
+             std::to_string(level.passed()) + " of " + std::to_string(level.attempts())});
     };
     add("expert", high, levels.experts);
     add("intermediate", middle, levels.intermediates);
@@ -81,12 +72,8 @@ std::string describe_score(const Levels& levels, Json& json) {
     return text + "\n";
 }
 
-}  // namespace
-
 int norms_quality(const Context& context, const QualityOptions& options) {
-    const Levels levels = !options.batch.empty()        ? levels_of_batch(options)
-                          : !options.recordings.empty() ? levels_of_recordings(options)
-                                                        : levels_of_store(context, options);
+    const batches::SkillLevels levels = norm_levels(context, options);
     Json json{{"task", options.task}, {"score", nullptr}, {"metrics", Json::array()}};
     const std::string score = describe_score(levels, json["score"]);
     std::vector<std::vector<std::string>> rows{
@@ -116,6 +103,31 @@ int norms_quality(const Context& context, const QualityOptions& options) {
     }
     print(context, json, score + table(rows));
     return 0;
+}
+
+}  // namespace
+
+void add_norms_quality_command(CLI::App& norms, Context& context) {
+    auto options = std::make_shared<QualityOptions>();
+    CLI::App* panel = norms.add_subcommand(
+        "quality", "How much each metric is worth, and whether the score tells groups apart");
+    panel->add_option("TASK", options->task, "Task id")->required();
+    panel->add_option("--novices", options->novices, "Group");
+    panel->add_option("--intermediates", options->intermediates, "Group that should lie between");
+    panel->add_option("--experts", options->experts, "Group");
+    CLI::Option* recordings =
+        panel->add_option("--recordings", options->recordings,
+                          "Instead of groups: a folder with recordings of scripted operators");
+    panel
+        ->add_option("--batch", options->batch,
+                     "Instead of groups: a batch of rollouts, planned with --metrics")
+        ->excludes(recordings);
+    panel->add_option("--repeats", options->repeats, "Attempts a person that enter the ICC")
+        ->check(CLI::Range(2, 100))
+        ->capture_default_str();
+    panel->callback([&context, options] {
+        context.run = [&context, options] { return norms_quality(context, *options); };
+    });
 }
 
 }  // namespace placode::cli

@@ -19,6 +19,6 @@ struct QualityOptions {
     int repeats = 2;
 };
 
-int norms_quality(const Context& context, const QualityOptions& options);
+void add_norms_quality_command(CLI::App& norms, Context& context);
 
 }  // namespace placode::cli

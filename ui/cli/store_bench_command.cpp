@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,8 +13,7 @@
 #include <memory>
 #include <thread>
 
-#include "bench/shell_pages.h"
-#include "bench/store_pages.h"
+#include "bench/store_times.h"
 #include "ui/cli/cli.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/scratch_folder.h"
@@ -24,43 +22,15 @@ namespace placode::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 using bench::kMemoryLimitMb;
 using bench::kPageLimitMs;
 using bench::PageRow;
+using bench::StoreTimes;
 
-struct StoreBenchOptions {
-    int users = 1000, runs = 5;
-    int64_t attempts = 100000;
+struct StoreBenchOptions : bench::StoreBenchOrder {
     std::string out;
-    double simulate_s = 20;  ///< Of each source attempt.
-    bool quick = false, no_shell = false, sealed = false;
+    bool quick = false, no_shell = false;
 };
-
-db::LoadResult fill(const std::string& url, const StoreBenchOptions& options,
-                    const ScratchFolder& folder) {
-    {
-        const auto store = db::open_store(url);
-        store->act_as("bench store");
-        if (!bench::simulate_attempts(
-                *store, options.simulate_s, folder.path(),
-                [](const std::string& name) { std::cerr << "simulating: " << name << '\n'; }))
-            throw InputError("bench store: " + store->url() +
-                             " has people; give an empty store, the copies are not "
-                             "for a real one");
-    }
-    db::LoadOrder order;
-    order.users = options.users;
-    order.attempts = options.attempts;
-    order.sealed = options.sealed;
-    order.progress = [](int64_t done, int64_t total) {
-        show_progress("multiplying " + std::to_string(done) + " of " + std::to_string(total));
-        return true;
-    };
-    const db::LoadResult load = db::generate_load(url, order);
-    clear_progress();
-    return load;
-}
 
 void write_files(const StoreBenchOptions& options, const Json& json,
                  const std::vector<PageRow>& rows) {
@@ -108,48 +78,26 @@ std::string load_words() {
            " processors): look at the processor times";
 }
 
-/// What was measured.
-struct StoreTimes {
-    db::LoadResult load;
-    double fill_s = 0, before_mb = 0, pages_mb = 0, memory_mb = 0;
-    std::vector<PageRow> rows;
-    bench::ShellPages shell;
-
-    [[nodiscard]] bool kept() const {
-        return memory_mb <= kMemoryLimitMb && shell.peak_memory_mb <= kMemoryLimitMb &&
-               std::all_of(rows.begin(), rows.end(), [](const PageRow& row) { return row.kept(); });
-    }
-};
-
 StoreTimes measure(const std::string& url, const StoreBenchOptions& options,
-                   const ScratchFolder& folder) {
-    StoreTimes times;
-    const auto start = Clock::now();
-    times.load = fill(url, options, folder);
-    times.fill_s = std::chrono::duration<double>(Clock::now() - start).count();
-    const auto store = db::open_store(url);
-    store->act_as("bench store");
-    bench::forget_peak();
-    times.before_mb = bench::peak_memory_mb();
-    bench::StorePages measured(*store, options.runs, [](const PageRow& row) {
+                   const std::string& folder) {
+    bench::StoreBenchWatcher watcher;
+    watcher.simulating = [](const std::string& name) {
+        std::cerr << "simulating: " << name << '\n';
+    };
+    watcher.multiplying = [](int64_t done, int64_t total) {
+        show_progress("multiplying " + std::to_string(done) + " of " + std::to_string(total));
+    };
+    watcher.filled = clear_progress;
+    watcher.measured = [](const PageRow& row) {
         std::cerr << row.page << ", " << row.query << ": " << fixed(row.median_ms, 1)
                   << " ms, processor " << fixed(row.processor_ms, 1) << " ms\n";
-    });
-    measured.pages(times.load);
-    times.pages_mb = bench::peak_memory_mb();
-    measured.reports(times.load, folder.path());
-    times.memory_mb = bench::peak_memory_mb();
-    if (options.sealed) measured.check();
-    if (options.no_shell)
-        times.shell.problem = "--no-shell was given";
-    else
-        times.shell =
-            bench::time_shell_pages(url, *store, times.load.first_user + times.load.users / 2);
-    for (const bench::ShellPage& each : times.shell.pages)
-        measured.rows.push_back({"Shell: " + each.page, "opened by " + each.who, 1, each.first_ms,
-                                 each.median_ms, each.worst_ms, kPageLimitMs, each.processor_ms});
-    times.rows = measured.rows;
-    return times;
+    };
+    auto times = bench::time_store(url, options, folder, watcher);
+    if (!times)
+        throw InputError("bench store: " + db::open_store(url)->url() +
+                         " has people; give an empty store, the copies are not for a real one");
+    if (options.no_shell) times->shell.problem = "--no-shell was given";
+    return *std::move(times);
 }
 
 Json times_json(const std::string& url, const StoreBenchOptions& options, const StoreTimes& times) {
@@ -217,11 +165,12 @@ StoreBenchOptions in_short(StoreBenchOptions options) {
 }
 
 int run(const Context& context, const StoreBenchOptions& asked) {
-    const StoreBenchOptions options = asked.quick ? in_short(asked) : asked;
+    StoreBenchOptions options = asked.quick ? in_short(asked) : asked;
+    options.shell = !options.no_shell;
     const ScratchFolder folder;
     const std::string url =
         context.store_url.empty() ? "sqlite:" + folder.path() + "/bench.db" : context.store_url;
-    const StoreTimes times = measure(url, options, folder);
+    const StoreTimes times = measure(url, options, folder.path());
     const Json json = times_json(url, options, times);
     if (!options.out.empty()) write_files(options, json, times.rows);
     print(context, json, times_text(json["engine"].get<std::string>(), times));
