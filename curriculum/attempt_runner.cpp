@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "curriculum/attempt_loop.h"
+#include "haptics/catalogue/open_device.h"
 
 #ifndef PLACODE_VERSION
 #define PLACODE_VERSION "0"

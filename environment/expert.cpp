@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/catalogue/open_device.h"
 #include "haptics/operators/operator_profile.h"
 
 namespace placode::environment {

@@ -10,7 +10,6 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "haptics/station.h"
@@ -107,7 +106,8 @@ struct Perception {
     Vec3 stuck_m = Vec3::Zero(), fluid_m = Vec3::Zero();  ///< Next debris; deepest fluid.
 };
 
-/// Settings of `open_device`, from command line, station and task.
+/// Settings of `open_device` (haptics/catalogue/open_device.h), from command line, station and
+/// task.
 struct DeviceConfig {
     std::string name;  ///< "mouse", "keyboard", "gamepad", "script:expert", ...
     uint64_t seed = 1;
@@ -151,29 +151,5 @@ class DeviceGroup {
     /// Force to zero and devices released. Called once.
     virtual void stop() noexcept {}
 };
-
-/// Opens by name. Throws DeviceError: unknown names list the known ones, absent hardware says what
-/// is missing and how to install it.
-[[nodiscard]] std::unique_ptr<DeviceGroup> open_device(const DeviceConfig& config);
-
-/// What `--list-devices` prints: name, found or not, and why not.
-struct DeviceListing {
-    std::string name;
-    bool available = false;
-    std::string detail;              ///< What it is, or what is missing and how to install it.
-    std::vector<std::string> found;  ///< Vendor, model and serial of hardware that answered.
-};
-/// Looks for hardware by opening it for a moment; takes up to some seconds.
-[[nodiscard]] std::vector<DeviceListing> list_devices(const Station& station = {});
-
-/// One line of the help: what happens, and what the hand does for it.
-struct ControlHelp {
-    std::string action;  ///< English, e.g. "Cut (yellow pedal)"; translated in ui.
-    std::string input;   ///< e.g. "hold the left mouse button"
-};
-
-/// Controls of a device by name, in the order in which a beginner needs them. Empty for scripts and
-/// unknown names.
-[[nodiscard]] std::vector<ControlHelp> controls(std::string_view device);
 
 }  // namespace placode::haptics

@@ -58,11 +58,11 @@ std::vector<Include> includes() {
     return found;
 }
 
-/// Lowest first: `set(sim_rooms ...)` in CMakeLists.txt.
-std::vector<std::string> rooms_of_the_physics() {
+/// Lowest first: `set(NAME ...)` in CMakeLists.txt.
+std::vector<std::string> rooms_named(const std::string& name) {
     std::ifstream in(root() / "CMakeLists.txt");
     const std::string text(std::istreambuf_iterator<char>(in), {});
-    static const std::regex list_regex(R"(set\(sim_rooms ([^)]*)\))");
+    const std::regex list_regex("set\\(" + name + R"( ([^)]*)\))");
     std::smatch match;
     if (!std::regex_search(text, match, list_regex)) return {};
     std::istringstream words(match[1]);
@@ -123,7 +123,7 @@ TEST(Architecture, FilesIncludeOnlyFromTheirOwnFolderAndEarlierOnes) {
 }
 
 TEST(Architecture, RoomsOfThePhysicsIncludeOnlyThemselvesAndEarlierOnes) {
-    const std::vector<std::string> rooms = rooms_of_the_physics();
+    const std::vector<std::string> rooms = rooms_named("sim_rooms");
     ASSERT_GE(rooms.size(), 12U);
     const auto rank = [&](const std::string& path) {
         const size_t end = path.find('/', 4);
@@ -139,6 +139,25 @@ TEST(Architecture, RoomsOfThePhysicsIncludeOnlyThemselvesAndEarlierOnes) {
             << include.file << " includes " << include.target;
     }
     EXPECT_GT(checked, 200);
+}
+
+// A device knows nothing of scripted operators; what opens either by its name stands above both.
+TEST(Architecture, RoomsOfTheHandsIncludeOnlyThemselvesAndEarlierOnes) {
+    const std::vector<std::string> rooms = rooms_named("haptics_rooms");
+    ASSERT_GE(rooms.size(), 4U);
+    const auto rank = [&](const std::string& path) {
+        const auto room = std::find(rooms.begin(), rooms.end(), path.substr(0, path.rfind('/')));
+        EXPECT_NE(room, rooms.end()) << path << " lies in no room";
+        return room - rooms.begin();
+    };
+    int checked = 0;
+    for (const Include& include : includes()) {
+        if (include.folder != "haptics" || include.target.rfind("haptics/", 0) != 0) continue;
+        ++checked;
+        EXPECT_LE(rank(include.target), rank(include.file))
+            << include.file << " includes " << include.target;
+    }
+    EXPECT_GT(checked, 80);
 }
 
 // A line in contact/ sees the whole State, as the step hands it on; what it may read or write

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "haptics/device.h"
+#include "haptics/catalogue/open_device.h"
 
 namespace placode::ui {
 namespace THIS_TEST {

@@ -11,8 +11,8 @@
 #include <set>
 
 #include "curriculum/step_hints.h"
+#include "haptics/control_help.h"
 #include "haptics/control_words.h"
-#include "haptics/device.h"
 
 namespace placode::haptics {
 namespace THIS_TEST {

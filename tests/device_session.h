@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-#include "haptics/device.h"
+#include "haptics/catalogue/open_device.h"
 #include "haptics/real_time.h"
 
 namespace placode::test {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/device.h"
+#include "haptics/catalogue/open_device.h"
+#include "haptics/control_help.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

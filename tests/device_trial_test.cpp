@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A device tried by itself, with stand-ins: signals, the floor with its ceiling, which hand.
-#include "haptics/device_trial.h"
+#include "haptics/catalogue/device_trial.h"
 
 #include <gmock/gmock.h>
 

@@ -12,7 +12,7 @@
 
 #include <filesystem>
 
-#include "haptics/device.h"
+#include "haptics/catalogue/open_device.h"
 
 namespace placode::haptics {
 namespace THIS_TEST {

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "haptics/device.h"
+#include "haptics/catalogue/open_device.h"
 
 using namespace placode::haptics;
 using testing::ElementsAre;

@@ -15,6 +15,7 @@
 
 #include "curriculum/attempt_frames.h"
 #include "curriculum/operator_sight.h"
+#include "haptics/catalogue/open_device.h"
 #include "haptics/servo.h"
 #include "sim/anatomy/operative_field.h"
 #include "tests/attempt_fixture.h"

@@ -11,6 +11,7 @@
 #include <optional>
 #include <thread>
 
+#include "haptics/catalogue/open_device.h"
 #include "haptics/openhaptics_library.h"
 #include "haptics/servo.h"
 #include "sim/cutting/grasp.h"

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/catalogue/open_device.h"
 #include "haptics/servo.h"
 #include "sim/cutting/pieces.h"
 

@@ -11,6 +11,7 @@
 #include <functional>
 #include <mutex>
 
+#include "haptics/catalogue/open_device.h"
 #include "haptics/servo.h"
 #include "tests/count_allocations.h"
 #include "tests/device_session.h"

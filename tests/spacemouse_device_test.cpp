@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "haptics/device.h"
+#include "haptics/catalogue/open_device.h"
 #include "tests/stand_in/space_daemon.h"
 
 namespace placode::haptics {

@@ -5,7 +5,7 @@
 // that spares the tissue; then suction until the field is dry. Levels differ by how near they come
 // with the jet and with the sucker, how well they aim, how soon they suck, and what they leave.
 
-#include "haptics/hand_motion.h"
+#include "haptics/operators/hand_motion.h"
 
 namespace placode::haptics {
 

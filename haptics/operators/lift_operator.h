@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "haptics/hand_motion.h"
+#include "haptics/operators/hand_motion.h"
 
 namespace placode::haptics {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <span>
 
-#include "haptics/hand_motion.h"
+#include "haptics/operators/hand_motion.h"
 
 namespace placode::haptics {
 

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "haptics/hand_motion.h"
+#include "haptics/operators/hand_motion.h"
 #include "haptics/operators/operator_model.h"
 
 namespace placode::haptics {

@@ -8,7 +8,7 @@
 // end in it and taken again where it is held to bite, before all of it is drawn out. Where a slit
 // is to be shut, the thread is drawn back along the shaft, slowly once it pulls.
 
-#include "haptics/hand_motion.h"
+#include "haptics/operators/hand_motion.h"
 
 namespace placode::haptics {
 

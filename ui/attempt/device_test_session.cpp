@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "haptics/device_trial.h"
+#include "haptics/catalogue/device_trial.h"
 #include "haptics/pedal_watch.h"
 #include "ui/attempt/sessions.h"
 

@@ -12,7 +12,7 @@
 #include "curriculum/utc_time.h"
 #include "db/recording_file.h"
 #include "db/store.h"
-#include "haptics/device.h"
+#include "haptics/catalogue/open_device.h"
 #include "haptics/gamepad_search.h"
 #include "haptics/pedal_watch.h"
 #include "haptics/real_time.h"

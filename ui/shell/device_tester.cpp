@@ -97,7 +97,7 @@ void DeviceLister::take(const QByteArray& text) {
 
 void each_device(AppContext& context, QObject* receiver,
                  const std::function<void(const ListedDevice&)>& add) {
-    // As haptics/device.cpp says them.
+    // As haptics/catalogue/open_device.cpp says them.
     add({"mouse", "tip in the picture's plane, wheel for depth; no force", true, {}});
     add({"keyboard", "fixed speeds; no force", true, {}});
     auto* lister = new DeviceLister(context.launcher().options(), receiver);

@@ -13,8 +13,8 @@
 
 #include "curriculum/conduct.h"
 #include "curriculum/definitions.h"
+#include "haptics/control_help.h"
 #include "haptics/control_words.h"
-#include "haptics/device.h"
 #include "haptics/hint_device.h"
 #include "reports/metric_groups.h"
 #include "ui/shell/controls_card.h"

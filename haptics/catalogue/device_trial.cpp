@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/device_trial.h"
+#include "haptics/catalogue/device_trial.h"
 
 #include <algorithm>
 #include <atomic>
 #include <thread>
 
+#include "haptics/catalogue/open_device.h"
 #include "haptics/real_time.h"
 
 namespace placode::haptics {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/hand_motion.h"
+#include "haptics/operators/hand_motion.h"
 
 #include <algorithm>
 #include <cmath>
