@@ -196,6 +196,7 @@ TEST_F(AttemptOrders, TheRecordingHoldsNoNames) {
     const std::string bytes = read(order.recording_file);
     for (const char* name : {"Anna", "nina"})
         EXPECT_EQ(bytes.find(name), std::string::npos) << name;
+    EXPECT_EQ(read(beside(order)).find("Anna"), std::string::npos) << "nor does its order";
     // Nobody finds the name by trying: the same order again has another checksum.
     ui::AttemptOrder same = exam();
     perform(same);

@@ -78,7 +78,6 @@ void write_order(AttemptOrder& order, const QString& folder) {
         QString("%1/attempt-%2-%3.placode").arg(folder, stamp).arg(order.user_id);
     const QJsonObject json{
         {"user_id", static_cast<qint64>(order.user_id)},
-        {"user_name", order.user_name},
         {"task", order.task},
         {"title", order.title},
         {"device", order.device},
@@ -116,7 +115,6 @@ std::optional<AttemptOrder> read_order(const QString& recording_file) {
     const QJsonObject json = QJsonDocument::fromJson(order.text).object();
     if (!json.contains("user_id")) return std::nullopt;
     order.user_id = json["user_id"].toInteger();
-    order.user_name = json["user_name"].toString();
     order.task = json["task"].toString();
     order.title = json["title"].toString();
     order.device = json["device"].toString();

@@ -19,11 +19,11 @@ namespace placode::ui {
 /// One attempt, from Start to the store.
 struct AttemptOrder {
     int64_t user_id = 0;
-    QString user_name;
-    QString task;      ///< Task id.
-    QString title;     ///< Task title as it was shown.
-    QString device;    ///< As on the command line.
-    QString controls;  ///< Keys and buttons, as on the command line; empty: as delivered.
+    QString user_name;  ///< For the simulator, while the shell runs; not in the file.
+    QString task;       ///< Task id.
+    QString title;      ///< Task title as it was shown.
+    QString device;     ///< As on the command line.
+    QString controls;   ///< Keys and buttons, as on the command line; empty: as delivered.
     QString started_utc;
     QString recording_file;
     bool demonstration = false;        ///< Of a demonstration account.

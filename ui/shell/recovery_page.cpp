@@ -47,6 +47,13 @@ class RecoveryPage : public Page {
         return context_.may(db::Action::kManageUsers, db::Scope::kOther);
     }
 
+    /// The file beside the recording holds a number: names are the store's.
+    [[nodiscard]] QString whose(const AttemptOrder& order) const {
+        if (!order.study.isEmpty()) return order.participant;
+        const auto owner = context_.store().accounts().find(order.user_id);
+        return owner ? qstr(owner->display_name) : tr("number %1").arg(order.user_id);
+    }
+
     QWidget* card(const Leftover& leftover, int index) {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
@@ -54,7 +61,7 @@ class RecoveryPage : public Page {
         if (leftover.order &&
             (leftover.order->user_id != context_.user().id || !leftover.order->study.isEmpty()))
             layout->addWidget(
-                make_label(tr("Belongs to %1.").arg(leftover.order->user_name), "muted"));
+                make_label(tr("Belongs to %1.").arg(whose(*leftover.order)), "muted"));
         if (leftover.problem)
             layout->addWidget(make_label(recording_problem(*leftover.problem).title, "critical"));
         else if (!leftover.damage.isEmpty())

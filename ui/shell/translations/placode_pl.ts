@@ -4705,6 +4705,10 @@
         <source>This is an exam: it is saved and uses up this attempt.</source>
         <translation>To jest egzamin: próba zostanie zapisana i zużyta.</translation>
     </message>
+    <message>
+        <source>number %1</source>
+        <translation>numer %1</translation>
+    </message>
 </context>
 <context>
     <name>ResultPage</name>
