@@ -45,6 +45,7 @@ StageProgress stage_progress(const Course& course, const CourseStage& stage,
             if (outcome.interrupted && !outcome.voided) {
                 // Whoever could leave an exam that goes badly could try as often as he likes.
                 ++progress.attempts;
+                if (outcome.unfinished) ++progress.unfinished;
                 progress.streak = 0;
                 continue;
             }

@@ -62,6 +62,7 @@ struct AttemptOutcome {
     /// Nothing was done: neither met nor missed. An exam has shown its lesion, so there it uses up
     /// an attempt.
     bool not_attempted = false;
+    bool unfinished = false;  ///< An exam that was begun and of which nothing was saved.
 };
 
 enum class StageStatus : uint8_t {
@@ -83,6 +84,7 @@ struct StageProgress {
     std::string refresh_utc;           ///< From when the skill is to be refreshed; empty = never.
     bool refresh_due = false;
     uint64_t next_seed = 0;  ///< kExam: the case after the one that was shown last.
+    int unfinished = 0;      ///< kExam: of `attempts`, those that were begun and never saved.
 };
 
 struct CourseProgress {

@@ -112,7 +112,7 @@ void Accounts::erase(int64_t user_id, bool with_attempts) {
     Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
         .run(failures_key(user.login));
     for (const char* table : {"persons", "account_pins", "group_members", "course_assignments",
-                              "course_grants", "certificates"})
+                              "course_grants", "certificates", "exam_begins"})
         Statement(connection_, std::string("DELETE FROM ") + table + " WHERE account_id = ?")
             .run(user_id);
     if (context_.server.guards())

@@ -25,7 +25,8 @@ const std::string& attempt_columns() {
         "t.end_reason, t.demonstration, t.points, t.verdict, t.rubric_id, t.rubric_version, "
         "t.metric_set_version, t.preprocessing_version, t.generated_from, t.exam_course, "
         "t.exam_course_version, t.exam_stage, t.proctor, t.device_certificate, t.haptic_grade, "
-        "t.void_reason, t.void_meaning, t.replay, t.study, t.participant FROM attempts t LEFT JOIN "
+        "t.exam_begin, t.void_reason, t.void_meaning, t.replay, t.study, t.participant FROM "
+        "attempts t LEFT JOIN "
         "persons p ON p.account_id = t.account_id ";
     return columns;
 }
@@ -51,8 +52,10 @@ AttemptRecord read_attempt(const Statement& row) {
     record.metric_set_version = static_cast<int>(row.integer("metric_set_version"));
     record.preprocessing_version = static_cast<int>(row.integer("preprocessing_version"));
     record.generated = row.integer("generated_from") != 0;
-    record.exam = {row.text("exam_course"), static_cast<int>(row.integer("exam_course_version")),
-                   row.text("exam_stage"), row.text("proctor"), row.text("device_certificate")};
+    record.exam = {
+        row.text("exam_course"),        static_cast<int>(row.integer("exam_course_version")),
+        row.text("exam_stage"),         row.text("proctor"),
+        row.text("device_certificate"), row.integer("exam_begin")};
     record.haptic_grade = row.text("haptic_grade");
     record.void_reason = row.text("void_reason");
     record.void_meaning = row.text("void_meaning");

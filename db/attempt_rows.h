@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Questions about the table attempts and how their rows are read. Only attempts*.cpp and norms.cpp
-// include this.
+// Questions about the table attempts and how their rows are read. Only attempts*.cpp,
+// course_rows.cpp and norms.cpp include this.
 
 #include <QVariant>
 #include <cstdint>

@@ -10,6 +10,7 @@
 #include "db/attempt_counting.h"
 #include "db/attempt_doubts.h"
 #include "db/attempt_rows.h"
+#include "db/exam_check.h"
 #include "db/haptic_verdict.h"
 #include "db/packing.h"
 #include "db/recording_chunks.h"
@@ -30,7 +31,7 @@ ReplayState replay_asked(const AttemptResult& result, const std::vector<VoidReas
 }
 
 int64_t insert_attempt(StoreContext& context, int64_t user_id, const AttemptResult& result,
-                       const HapticVerdict& haptics, const std::string& proctor,
+                       const HapticVerdict& haptics, const std::string& proctor, int64_t exam_begin,
                        const std::vector<VoidReason>& voids) {
     Connection& connection = context.connection;
     Statement insert(
@@ -40,8 +41,9 @@ int64_t insert_attempt(StoreContext& context, int64_t user_id, const AttemptResu
         "demonstration, points, verdict, rubric_id, rubric_version, "
         "metric_set_version, preprocessing_version, exam_course, exam_course_version, exam_stage, "
         "proctor, device_certificate, haptic_certificate, haptic_grade, void_reason, void_meaning, "
-        "replay, study, participant) "
+        "replay, study, participant, exam_begin) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+        "?, "
         "?, ?, ?, ?) RETURNING id");
     insert.run(
         user_id, result.header.task_id, result.header.task_version,
@@ -54,7 +56,7 @@ int64_t insert_attempt(StoreContext& context, int64_t user_id, const AttemptResu
         result.exam.course_id, result.exam.course_version, result.exam.stage_id, proctor,
         result.exam.device_certificate, haptics.certificate, haptics.grade, void_text(voids),
         void_meaning(voids), static_cast<int>(replay_asked(result, voids)), result.study.study,
-        result.study.participant);
+        result.study.participant, exam_begin);
     return insert.returned_id();
 }
 
@@ -119,12 +121,15 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
         result.exam.proctor.empty() ? std::nullopt : context_.find_staff(result.exam.proctor);
     for (VoidReason& doubt : doubts_in_store(context_, user, proctor, result, checksum))
         voids.push_back(std::move(doubt));
+    ExamCheck exam = check_exam(context_, user, proctor.has_value(), result);
+    std::move(exam.doubts.begin(), exam.doubts.end(), std::back_inserter(voids));
     // Under the account's number, which stays when the name is erased.
     const std::string kept_proctor = proctor ? user_object(proctor->id)
                                      : result.exam.proctor.empty()
                                          ? std::string()
                                          : context_.kept_name(result.exam.proctor);
-    const int64_t id = insert_attempt(context_, user_id, result, haptics, kept_proctor, voids);
+    const int64_t id =
+        insert_attempt(context_, user_id, result, haptics, kept_proctor, exam.begin, voids);
     context_.made("attempt", id);
     insert_lists(connection_, id, result);
     if (!result.recording_file.empty())

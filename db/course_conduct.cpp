@@ -3,17 +3,18 @@
 #include "db/course_conduct.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "curriculum/shipped_definitions.h"
 #include "db/attempt_counting.h"
+#include "db/course_rows.h"
 #include "db/said.h"
 #include "sim/core/near_word.h"
 
 namespace placode::db {
 
 using curriculum::Course;
-using curriculum::StageStatus;
 
 namespace {
 
@@ -21,34 +22,18 @@ namespace {
     throw StoreError(StoreError::Kind::kRefused, what, problem);
 }
 
-/// What the person did, not what a script showed: that is for accounts that show how it is done.
-std::vector<AttemptRecord> own_attempts(Store& store, int64_t user_id) {
-    std::vector<AttemptRecord> attempts = store.attempts().list(user_id);
+CourseRows rows_of(Store& store, int64_t user_id) {
     const auto user = store.accounts().find(user_id);
-    if (!user || user->demonstration) return attempts;
-    const auto shown = [](const AttemptRecord& each) {
-        return each.demonstration || each.generated;
-    };
-    std::erase_if(attempts, [&shown](const AttemptRecord& each) {
-        return shown(each) && each.exam.course_id.empty();
-    });
-    // An exam's case was seen: it is used up, and not met.
-    for (AttemptRecord& each : attempts)
-        if (shown(each)) each.end = sim::EndReason::kInterrupted;
-    return attempts;
+    return {own_attempts(store.attempts().list(user_id), !user || user->demonstration),
+            store.courses().exam_begins(user_id), store.courses().grants(user_id)};
 }
 
 CourseStanding standing_in(Store& store, int64_t user_id, const AssignmentRecord& assignment,
-                           Course course, const std::vector<AttemptRecord>& attempts,
-                           const std::string& now_utc) {
+                           Course course, const CourseRows& rows, const std::string& now_utc) {
     CourseStanding standing;
     standing.assignment = assignment;
     standing.course = std::move(course);
-    curriculum::ExtraAttempts extra;
-    for (const GrantRecord& grant : store.courses().grants(user_id))
-        if (grant.course_id == standing.course.id) extra[grant.stage_id] += grant.attempts;
-    standing.progress =
-        curriculum::course_progress(standing.course, outcomes_of(attempts), now_utc, extra);
+    standing.progress = progress_in(standing.course, rows, now_utc);
     standing.next =
         curriculum::next_step(standing.course, standing.progress, task_titles(standing.course),
                               {assignment.starts_utc, assignment.due_utc}, now_utc);
@@ -114,8 +99,28 @@ std::map<std::string, curriculum::LocalText> task_titles(const Course& course) {
     return titles;
 }
 
-std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRecord>& attempts) {
-    std::vector<curriculum::AttemptOutcome> outcomes;
+namespace {
+
+curriculum::AttemptOutcome unfinished(const ExamBeginRecord& begin) {
+    curriculum::AttemptOutcome outcome;
+    outcome.task_id = begin.task_id;
+    outcome.interrupted = outcome.unfinished = true;
+    outcome.at_utc = begin.begun_utc;
+    outcome.seed = begin.seed;
+    outcome.exam_course = begin.course_id;
+    outcome.exam_stage = begin.stage_id;
+    outcome.proctor = begin.proctor;
+    outcome.certified = !begin.device_certificate.empty();
+    return outcome;
+}
+
+}  // namespace
+
+std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRecord>& attempts,
+                                                    const std::vector<ExamBeginRecord>& begins) {
+    std::vector<curriculum::AttemptOutcome> outcomes, left;
+    for (const ExamBeginRecord& begin : begins)
+        if (begin.attempt_id == 0) left.push_back(unfinished(begin));
     outcomes.reserve(attempts.size());
     for (const AttemptRecord& attempt : attempts) {
         curriculum::AttemptOutcome outcome;
@@ -137,7 +142,11 @@ std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRec
         outcome.interrupted = outcome.interrupted || unproven;
         outcomes.push_back(std::move(outcome));
     }
-    return outcomes;
+    if (left.empty()) return outcomes;
+    std::vector<curriculum::AttemptOutcome> all;
+    std::merge(outcomes.begin(), outcomes.end(), left.begin(), left.end(), std::back_inserter(all),
+               [](const auto& a, const auto& b) { return a.at_utc < b.at_utc; });
+    return all;
 }
 
 CourseStanding course_standing(Store& store, int64_t user_id, const std::string& course_id,
@@ -149,13 +158,13 @@ CourseStanding course_standing(Store& store, int64_t user_id, const std::string&
         break;
     }
     return standing_in(store, user_id, held, find_course(store, course_id, held.course_version),
-                       own_attempts(store, user_id), now_utc);
+                       rows_of(store, user_id), now_utc);
 }
 
 std::vector<CourseStanding> course_standings(Store& store, int64_t user_id,
                                              const std::string& now_utc) {
     std::vector<CourseStanding> standings;
-    const auto attempts = own_attempts(store, user_id);
+    const CourseRows rows = rows_of(store, user_id);
     for (const AssignmentRecord& each : store.courses().assignments(user_id)) {
         // Assigned by person and by group: the one that is due first counts.
         const bool there =
@@ -164,7 +173,7 @@ std::vector<CourseStanding> course_standings(Store& store, int64_t user_id,
         if (there) continue;
         standings.push_back(standing_in(store, user_id, each,
                                         find_course(store, each.course_id, each.course_version),
-                                        attempts, now_utc));
+                                        rows, now_utc));
     }
     return standings;
 }
@@ -187,26 +196,22 @@ ExamOrder prepare_exam(Store& store, int64_t user_id, const std::string& course_
                        const std::string& device_certificate, const std::string& now_utc) {
     const CourseStanding standing = course_standing(store, user_id, course_id, now_utc);
     const std::string what = "exam " + course_id + "/" + stage_id + ": ";
+    if (const auto problem = why_no_exam(standing, stage_id)) refuse(what, *problem);
     const curriculum::CourseStage* stage = standing.course.stage(stage_id);
-    if (stage == nullptr || stage->mode != curriculum::StageMode::kExam)
-        refuse(what, Said::that("the course has no such exam stage"));
-    if (standing.assignment.id == 0)
-        refuse(what, Said::that("the course is not assigned to this person"));
-    if (standing.next.kind == curriculum::NextKind::kWait)
-        refuse(what, Said::as_is(standing.next.reason));
-    const auto at = static_cast<size_t>(stage - standing.course.stages.data());
-    const curriculum::StageProgress& own = standing.progress.stages[at];
-    if (own.status == StageStatus::kLocked)
-        refuse(what, Said::that("locked; to be mastered first: %1").with(own.missing.front()));
-    if (own.attempts_left == 0) refuse(what, Said::that("all attempts are used"));
     if (stage->exam.proctor && proctor.empty())
         refuse(what, Said::that("the proctor's name is missing"));
     if (!proctor.empty()) (void)find_proctor(store, proctor, user_id);
     if (stage->exam.haptic_certificate && device_certificate.empty())
         refuse(what, Said::that("the device has no haptic certificate"));
-    return {{course_id, standing.course.version, stage_id, proctor, device_certificate},
+    return {{course_id, standing.course.version, stage_id, proctor, device_certificate, 0},
             stage->task_id,
-            own.next_seed};
+            progress_of(standing, stage_id).next_seed};
+}
+
+ExamOrder begin_exam(Store& store, int64_t user_id, const ExamOrder& order) {
+    ExamOrder begun = order;
+    begun.context.begin = store.courses().begin_exam(user_id, order);
+    return begun;
 }
 
 CertificateRecord issue_certificate(Store& store, int64_t user_id, const std::string& course_id,

@@ -30,9 +30,10 @@ void publish_course_on_first_use(Store& store, const curriculum::Course& course)
 [[nodiscard]] std::map<std::string, curriculum::LocalText> task_titles(
     const curriculum::Course& course);
 
-/// As far as courses care, in the same order.
+/// As far as courses care, in the same order. @param begins oldest first; those that were not
+/// finished are used up, and stand among the attempts by their time.
 [[nodiscard]] std::vector<curriculum::AttemptOutcome> outcomes_of(
-    const std::vector<AttemptRecord>& attempts);
+    const std::vector<AttemptRecord>& attempts, const std::vector<ExamBeginRecord>& begins = {});
 
 /// Where somebody stands in one course.
 struct CourseStanding {
@@ -67,6 +68,11 @@ struct ExamOrder {
                                      const std::string& stage_id, const std::string& proctor,
                                      const std::string& device_certificate,
                                      const std::string& now_utc);
+
+/// What prepare_exam() gave, begun: the attempt is used up from then on, and `context.begin` is the
+/// number that belongs into its order. Throws kRefused; kConflict where the exam was begun at
+/// another station meanwhile.
+[[nodiscard]] ExamOrder begin_exam(Store& store, int64_t user_id, const ExamOrder& order);
 
 /// Certificate of a mastered course. Throws kRefused, saying what is next, when it is not mastered.
 CertificateRecord issue_certificate(Store& store, int64_t user_id, const std::string& course_id,

@@ -12,6 +12,7 @@
 namespace placode::db {
 
 class Connection;
+struct ExamOrder;
 struct StoreContext;
 
 /// `store.courses()`. Every change is one transaction and in the audit trail.
@@ -26,6 +27,12 @@ class Courses {
     [[nodiscard]] std::vector<AssignmentRecord> assignments(int64_t user_id);
     void grant_attempts(const GrantRecord& grant);  ///< Throws kRefused.
     [[nodiscard]] std::vector<GrantRecord> grants(int64_t user_id);
+    /// From now on an attempt is used up, whatever happens to shell, simulator and recording: the
+    /// attempt that is saved under the number that this gives (ExamContext::begin) ends it. What
+    /// the exam needs is looked up again, and nobody else begins one of this person meanwhile.
+    /// Throws kRefused; kConflict where another case is due by now. In db/exam_begins.cpp.
+    [[nodiscard]] int64_t begin_exam(int64_t user_id, const ExamOrder& order);
+    [[nodiscard]] std::vector<ExamBeginRecord> exam_begins(int64_t user_id);  ///< Oldest first.
     /// The same certificate again where this version has one. Whether it is deserved is decided by
     /// issue_certificate() in db/course_conduct.h.
     CertificateRecord save_certificate(int64_t user_id, const std::string& course_id,

@@ -41,6 +41,7 @@ struct ExamContext {
     std::string stage_id;
     std::string proctor;             ///< Log-in or name of who was present.
     std::string device_certificate;  ///< Of the haptic device; empty = none.
+    int64_t begin = 0;  ///< Courses::begin_exam(); 0 = begun elsewhere, as of an import.
 
     friend bool operator==(const ExamContext&, const ExamContext&) = default;
 };
@@ -240,6 +241,18 @@ struct GrantRecord {
     std::string course_id, stage_id;
     int attempts = 0;
     std::string reason, granted_by, granted_utc;
+};
+
+/// An exam that was begun. Its case was seen: it uses up an attempt, whatever becomes of it.
+struct ExamBeginRecord {
+    int64_t id = 0, user_id = 0;
+    std::string course_id, stage_id, task_id;
+    int course_version = 0;
+    int task_version = 0;  ///< The newest one then; 0 = none was published.
+    uint64_t seed = 0;
+    std::string proctor, device_certificate;  ///< As in ExamContext.
+    std::string begun_utc;                    ///< By the store's clock.
+    int64_t attempt_id = 0;                   ///< What it became; 0 = it was not finished.
 };
 
 /// A mastered course. The code is printed on the certificate and found again in the store.

@@ -60,7 +60,9 @@ std::vector<SealKind> make_kinds() {
            {"i.rating_id", "i.item"},
            "i.answer"},
           // Since 0016. Only where there is one: what was sealed before stays as it was sealed.
-          {"attempts v WHERE v.void_meaning <> ''", {"v.id"}, {}, "v.void_meaning"}}},
+          {"attempts v WHERE v.void_meaning <> ''", {"v.id"}, {}, "v.void_meaning"},
+          // Since 0017, likewise.
+          {"attempts b WHERE b.exam_begin <> 0", {"b.id"}, {}, "b.exam_begin"}}},
         {"user",
          true,
          {{"accounts",
@@ -77,7 +79,12 @@ std::vector<SealKind> make_kinds() {
            account,
            {"id"},
            "course_id, course_version, mastered_utc, issued_utc, issued_by, code"},
-          {"erasure_requests", account, {}, "reason, asked_utc, done_utc"}}},
+          {"erasure_requests", account, {}, "reason, asked_utc, done_utc"},
+          {"exam_begins",
+           account,
+           {"id"},
+           "course_id, course_version, stage_id, task_id, task_version, seed, proctor, "
+           "device_certificate, begun_utc"}}},
         {"group",
          true,
          {{"training_groups", {"id"}, {}, "name, name_key, created_utc"},

@@ -100,6 +100,8 @@ constexpr std::array kRules{
               kAdministrator},
     TableRule{"course_grants", kSeesOwnOrTeaches, kTeachesThePerson, kAdministrator,
               kAdministrator},
+    TableRule{"exam_begins", kSeesOwnOrTeaches, "placode_guard.need_begin(account_id, begun_utc)",
+              kNever, kAdministrator},
     TableRule{"certificates", kSeesOwnOrTeaches, kOwnOrTeaches, kAdministrator, kAdministrator},
     TableRule{"trusted_centres", kWhoIsIn, kTeachesOrAdministers, kAdministrator, kAdministrator},
     TableRule{"centre_key", kWhoIsIn, kTeachesOrAdministers, kTeachesOrAdministers, kAdministrator},
@@ -150,7 +152,7 @@ constexpr const char* kCalled =
     "'seal_of_account', 'seal_of_pin', 'seal_parts', 'me', 'need', 'version', 'is_in', 'holder', "
     "'has_role', 'is_staff', 'is_demonstration', 'need_person', 'need_group', 'need_save', "
     "'need_part', 'need_erase', 'need_remark', 'need_removal', 'need_rating', 'need_rating_part', "
-    "'need_text', "
+    "'need_text', 'need_begin', "
     "'any_account', 'account_of', 'named_in', 'has_pin', 'invitation_by', 'owner_of_attempt', "
     "'attempt_with', "
     "'attempt_ending', 'verifies', 'verifies_attempt', 'trail_end', 'trail_chain', 'trail_first', "
@@ -297,8 +299,9 @@ std::vector<std::string> unmarked_statements() {
     sql.push_back(std::string("REVOKE ALL ON SCHEMA placode_guard FROM PUBLIC, ") + kStationRole);
     sql.push_back(std::string("REVOKE ALL ON ALL TABLES IN SCHEMA placode_guard FROM PUBLIC, ") +
                   kStationRole);
-    for (const char* text : {kGuardChecksum, kGuardIdentity, kGuardChannel, kGuardSignIn,
-                             kGuardAccounts, kGuardScopes, kGuardAttempts, kGuardAnswers})
+    for (const char* text :
+         {kGuardChecksum, kGuardIdentity, kGuardChannel, kGuardSignIn, kGuardAccounts, kGuardScopes,
+          kGuardAttempts, kGuardAnswers, kGuardExams})
         add_statements(sql, text);
     sql.push_back(seal_statement());
     for (const TableRule& rule : kRules) sql.push_back(rule_statement(rule));

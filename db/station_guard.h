@@ -50,5 +50,6 @@ extern const char* const kGuardAccounts;
 extern const char* const kGuardScopes;
 extern const char* const kGuardAnswers;
 extern const char* const kGuardAttempts;
+extern const char* const kGuardExams;  // db/station_guard_exams_sql.cpp
 
 }  // namespace placode::db

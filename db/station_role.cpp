@@ -28,6 +28,7 @@ constexpr std::array kRights{
     TableRight{"group_members", "teaches", true},
     TableRight{"course_assignments", "ended_utc", true},
     TableRight{"course_grants", "", true},
+    TableRight{"exam_begins", "", true},
     TableRight{"certificates", "", true},
     TableRight{"norm_packs", "in_use"},
     TableRight{"attempts", "replay, replayed_utc, void_reason, void_meaning, study, participant",

@@ -18,8 +18,9 @@ namespace {
 constexpr std::array kCauses{"few_pictures",   "not_real_time", "tuned",    "device",
                              "task_unknown",   "task_differs",  "unsound",  "same_recording",
                              "replay_differs", "script",        "unsigned", "no_recording",
-                             "order_differs",  "order_missing", "proctor"};
-static_assert(kCauses.size() == static_cast<size_t>(VoidCause::kProctor) + 1);
+                             "order_differs",  "order_missing", "proctor",  "exam_closed",
+                             "clock",          "task_version"};
+static_assert(kCauses.size() == static_cast<size_t>(VoidCause::kTaskVersion) + 1);
 
 std::string text_of(const QJsonDocument& json) {
     return json.toJson(QJsonDocument::Compact).toStdString();

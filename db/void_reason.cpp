@@ -44,6 +44,10 @@ constexpr std::array kDoubts{
           "Practice, not verified: the proctor is the person examined, or neither educator nor "
           "administrator here",
           ""},
+    Doubt{VoidCause::kExamClosed, "Practice, not verified: it is not the exam that was open, ", ""},
+    Doubt{VoidCause::kClock, "Practice, not verified: the time that it says cannot be right, ", ""},
+    Doubt{VoidCause::kTaskVersion,
+          "Practice, not verified: the exam asked for another version than ", ""},
 };
 constexpr Sentence kEarly{"ended after ", " s, before the least duration of ", " s"};
 
@@ -128,6 +132,9 @@ std::string text_of(const VoidReason& reason) {
         case VoidCause::kOrderDiffers:
         case VoidCause::kOrderMissing:
         case VoidCause::kProctor:
+        case VoidCause::kExamClosed:
+        case VoidCause::kClock:
+        case VoidCause::kTaskVersion:
             return doubt_text(reason);
     }
     return {};

@@ -31,7 +31,10 @@ enum class VoidCause : uint8_t {
     kNoRecording,    ///< An exam or an attempt of a study of which nothing was recorded.
     kOrderDiffers,   ///< Begun for another person, exam, proctor or step than is said now.
     kOrderMissing,   ///< An exam or an attempt of a study that nothing binds to what it was for.
-    kProctor         ///< Who is named as proctor may not be it: no staff here, or the examinee.
+    kProctor,        ///< Who is named as proctor may not be it: no staff here, or the examinee.
+    kExamClosed,     ///< No exam could be taken then, or not this one; `detail` says why.
+    kClock,          ///< It says a time that cannot be right; `detail` is that time.
+    kTaskVersion     ///< The exam asked for another version of the task; `detail` names its own.
 };
 
 inline constexpr const char* kNobody = "nobody";  ///< Of kUnsigned.

@@ -100,6 +100,12 @@ QString doubt_words(const db::VoidReason& reason) {
             return say(
                 "Practice, not verified: the proctor is the person examined, or neither "
                 "educator nor administrator here");
+        case db::VoidCause::kExamClosed:
+            return say("Practice, not verified: it is not the exam that was open (%1)");
+        case db::VoidCause::kClock:
+            return say("Practice, not verified: the time that it says cannot be right (%1)");
+        case db::VoidCause::kTaskVersion:
+            return say("Practice, not verified: the exam asked for another version than %1");
         default:
             return say("Practice, not verified: operated by %1");
     }
@@ -135,6 +141,9 @@ QString void_reason_words(const db::VoidReason& reason) {
         case db::VoidCause::kOrderDiffers:
         case db::VoidCause::kOrderMissing:
         case db::VoidCause::kProctor:
+        case db::VoidCause::kExamClosed:
+        case db::VoidCause::kClock:
+        case db::VoidCause::kTaskVersion:
             return doubt_words(reason);
     }
     return {};

@@ -116,7 +116,7 @@ QJsonObject attempt_json(db::Store& store, const db::AttemptRecord& record) {
 }
 
 QJsonObject person_json(db::Store& store, const db::UserRecord& user) {
-    QJsonArray roles, groups, assignments, certificates;
+    QJsonArray roles, groups, assignments, begins, certificates;
     for (const auto& [name, role] : kRoles)
         if (db::has_role(user.roles, role)) roles.append(name);
     for (const db::GroupRecord& group : store.groups().list())
@@ -126,6 +126,11 @@ QJsonObject person_json(db::Store& store, const db::UserRecord& user) {
     for (const auto& each : store.courses().assignments(user.id))
         assignments.append(
             QJsonObject{{"course", text(each.course_id)}, {"due_utc", text(each.due_utc)}});
+    for (const auto& each : store.courses().exam_begins(user.id))
+        begins.append(QJsonObject{{"course", text(each.course_id)},
+                                  {"stage", text(each.stage_id)},
+                                  {"begun_utc", text(each.begun_utc)},
+                                  {"attempt", static_cast<qint64>(each.attempt_id)}});
     for (const auto& each : store.courses().certificates(user.id))
         certificates.append(QJsonObject{{"course", text(each.course_id)},
                                         {"version", each.course_version},
@@ -139,6 +144,7 @@ QJsonObject person_json(db::Store& store, const db::UserRecord& user) {
             {"has_pin", store.accounts().has_pin(user.id)},
             {"groups", groups},
             {"assignments", assignments},
+            {"begun_exams", begins},
             {"certificates", certificates}};
 }
 

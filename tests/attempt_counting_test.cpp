@@ -14,6 +14,7 @@
 #include "db/evidence.h"
 #include "db/norm_bands.h"
 #include "db/standards.h"
+#include "tests/exam_course.h"
 #include "tests/recorded_attempt.h"
 #include "tests/store_fixture.h"
 
@@ -160,8 +161,10 @@ TEST_P(Counting, PracticeExamAndMasteryLeaveItOut) {
     EXPECT_EQ(standing().attempts, before) << "mastery does not see it";
     store->accounts().create({"piotr", "Dr. P", "correct horse battery",
                               static_cast<db::Roles>(db::Role::kEducator), false});
-    const int64_t exam = save("2026-01-04T03:00:00.000Z", {machine(0.4F, 60)},
-                              {"first_steps", 1, "exam", "Dr. P", ""});
+    publish_exam(*store, "diathermy_ring", "0");
+    assign_exam(*store, user);
+    const int64_t exam =
+        save("2026-01-04T03:00:00.000Z", {machine(0.4F, 60)}, {"short", 1, "final", "Dr. P", ""});
     const db::AttemptRecord kept = store->attempts().detail(exam).record;
     EXPECT_THAT(kept.void_reason, HasSubstr("40 % of real time"));
     EXPECT_TRUE(db::machine_at_fault(kept)) << kept.void_reason;

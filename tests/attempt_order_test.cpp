@@ -11,11 +11,15 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "curriculum/utc_time.h"
 #include "db/attempt_counting.h"
+#include "db/course_conduct.h"
 #include "db/evidence.h"
 #include "db/recording_file.h"
 #include "db/recording_order.h"
+#include "db/sql_connection.h"
 #include "tests/attempt_fixture.h"
+#include "tests/exam_course.h"
 #include "tests/forgeries.h"
 #include "tests/store_fixture.h"
 #include "ui/shell/attempt_launcher.h"
@@ -59,6 +63,8 @@ class AttemptOrders : public testing::Test {
         jan = add("jan", db::Role::kTrainee);
         add("nina", db::Role::kEducator);
         add("olga", db::Role::kEducator);
+        publish_exam(*store, "touch_targets", "3");
+        for (const int64_t user : {anna, jan}) assign_exam(*store, user);
     }
     int64_t add(const std::string& login, db::Role role) const {
         return store->accounts().create({login, "Dr " + login, "long enough 1",
@@ -72,7 +78,10 @@ class AttemptOrders : public testing::Test {
         order.device = "script:expert";
         order.demonstration = true;
         order.seed = 3;
-        order.exam = {"short", 1, "final", "nina", ""};
+        order.exam = db::begin_exam(*store, anna,
+                                    db::prepare_exam(*store, anna, "short", "final", "nina", "",
+                                                     db::utc_now()))
+                         .context;
         return order;
     }
     /// As the shell and the simulator it starts do. @param bound false: an older simulator.
@@ -86,7 +95,8 @@ class AttemptOrders : public testing::Test {
                                       bound ? arguments[at + 1].toStdString() : std::string());
         sim::Recording made = short_attempt(order.mode());
         // No two recordings are the same bytes.
-        made.header.started_utc = "2026-02-01T00:00:" + std::to_string(10 + ++performed) + "Z";
+        made.header.started_utc =
+            curriculum::utc_text(*curriculum::utc_seconds(db::utc_now()) - 100 + ++performed);
         sink->begin(made.header);
         sink->append(made.inputs, made.samples, made.events);
         sink->finish(made.end);
@@ -167,7 +177,8 @@ TEST_F(AttemptOrders, PracticeIsMadeNoExamLater) {
     rewrite(beside(practice), json.dump());
     const db::AttemptRecord kept = recover(practice.recording_file);
     EXPECT_FALSE(db::counts(kept));
-    EXPECT_THAT(causes(kept), testing::ElementsAre(VoidCause::kOrderDiffers));
+    EXPECT_THAT(causes(kept),
+                testing::ElementsAre(VoidCause::kOrderDiffers, VoidCause::kExamClosed));
 }
 
 TEST_F(AttemptOrders, WithoutItsOrderAnExamIsNoneAndPracticeIsStillPractice) {

@@ -59,7 +59,7 @@ TEST_F(ConductWords, EveryReasonOfASlowMachineIsSaidInTheProgramsLanguage) {
 }
 
 TEST_F(ConductWords, EveryDoubtIsSaidInTheProgramsLanguage) {
-    for (int i = 0; i <= static_cast<int>(db::VoidCause::kProctor); ++i) {
+    for (int i = 0; i <= static_cast<int>(db::VoidCause::kTaskVersion); ++i) {
         const auto cause = static_cast<db::VoidCause>(i);
         if (!db::is_doubt(cause)) continue;
         const QString said = void_words(db::void_text({{cause, 0, 0, db::Said::as_is("this")}}));

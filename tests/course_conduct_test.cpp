@@ -266,7 +266,9 @@ TEST_P(CourseStore, AnExamOnAHapticLoopThatFailedIsVoidForCause) {
     loop.faults = 1;
     const std::string bad = haptics::certificate_to_json(loop);
     const auto save = [&](const db::ExamContext& exam, const std::string& haptics) {
-        attempt(anna, 90, exam, order.seed, "2026-02-03T00:00:00Z", haptics);
+        const uint64_t due =
+            db::course_standing(*store, anna, "short", kNow).progress.stages[1].next_seed;
+        attempt(anna, 90, exam, due, "2026-02-03T00:00:00Z", haptics);
         return store->attempts().list(anna).back();
     };
     const auto exams = [&] {

@@ -18,8 +18,10 @@
 #include "db/recording_file.h"
 #include "db/recording_order.h"
 #include "db/rescore.h"
+#include "db/sql_connection.h"
 #include "tests/attempt_fixture.h"
 #include "tests/bars.h"
+#include "tests/exam_course.h"
 #include "tests/forgeries.h"
 #include "tests/store_fixture.h"
 
@@ -111,14 +113,27 @@ class Evidence : public testing::Test {
     [[nodiscard]] nlohmann::json order() const {
         return {{"user_id", anna}, {"proctor", "nina"}, {"exam_stage", "final"}};
     }
+    /// Of an exam that the store knows of, as it is when its attempt begins.
+    [[nodiscard]] nlohmann::json begun_order() const {
+        nlohmann::json made = order();
+        made["exam_begin"] =
+            db::begin_exam(*store, anna,
+                           db::prepare_exam(*store, anna, "short", "final", "nina", "", kNow))
+                .context.begin;
+        return made;
+    }
     /// As the shell does: with the order that lies beside the recording. @param said text of it.
     int64_t take_with_order(const Recording& recording, const std::string& begun,
                             const std::string& said) {
         db::AttemptResult result = db::judged(*store, recording);
         result.recording_file = write(recording, begun);
         const auto json = said.empty() ? order() : nlohmann::json::parse(said);
-        result.exam = {"short", 1, json["exam_stage"].get<std::string>(),
-                       json["proctor"].get<std::string>(), ""};
+        result.exam = {"short",
+                       1,
+                       json["exam_stage"].get<std::string>(),
+                       json["proctor"].get<std::string>(),
+                       "",
+                       json.value("exam_begin", 0)};
         result.order = said;
         return keep(json["user_id"].get<int64_t>(), result);
     }
@@ -194,11 +209,12 @@ TEST_F(Evidence, NoForgeryCounts) {
         for (const OrderForgery& forgery : forgeries_of_the_order({jan, "olga", "other"})) {
             SCOPED_TRACE(std::string(forgery.name) + " " + std::to_string(i));
             Recording honest = honest_attempt();
-            honest.header.started_utc = "2026-02-01T00:00:0" + std::to_string(i % 10) + "Z";
-            nlohmann::json forged = order();
+            honest.header.started_utc = db::utc_now();
+            const nlohmann::json begun = begun_order();
+            nlohmann::json forged = begun;
             forgery.make(forged, random);
             const db::AttemptRecord kept =
-                record(take_with_order(honest, order().dump(), forged.dump()));
+                record(take_with_order(honest, begun.dump(), forged.dump()));
             const bool good = !db::counts(kept) && !mastered(anna) && !mastered(jan);
             EXPECT_TRUE(good) << kept.void_reason;
             EXPECT_THAT(kept.void_reason,
@@ -209,7 +225,7 @@ TEST_F(Evidence, NoForgeryCounts) {
 }
 
 TEST_F(Evidence, AnExamCountsWithTheOrderThatItWasBegunWithAndNotWithoutOne) {
-    const std::string begun = order().dump();
+    const std::string begun = begun_order().dump();
     const auto cause_of = [&](int64_t id) {
         const auto reasons = db::void_reasons(record(id).void_reason);
         return reasons.empty() ? db::VoidCause::kDevice : reasons.front().cause;
@@ -220,8 +236,9 @@ TEST_F(Evidence, AnExamCountsWithTheOrderThatItWasBegunWithAndNotWithoutOne) {
     EXPECT_EQ(cause_of(take_with_order(again, "", begun)), db::VoidCause::kOrderMissing)
         << "nothing in the recording binds it";
     EXPECT_FALSE(mastered(anna));
-    again.header.started_utc = "2026-02-01T00:00:02Z";
-    const int64_t right = take_with_order(again, begun, begun);
+    again.header.started_utc = db::utc_now();
+    const std::string fresh = begun_order().dump();
+    const int64_t right = take_with_order(again, fresh, fresh);
     EXPECT_TRUE(db::counts(record(right))) << record(right).void_reason;
 }
 
@@ -230,6 +247,7 @@ TEST_F(Evidence, AProctorIsAnEducatorOrAdministratorWhoIsNotExamined) {
         {"teacher", "Teacher", "long enough 1",
          static_cast<db::Roles>(db::Role::kEducator) | static_cast<db::Roles>(db::Role::kTrainee),
          true});
+    assign_exam(*store, teacher);
     int second = 0;
     const auto taken = [&](int64_t user, const std::string& proctor) {
         Recording recording = honest_attempt();

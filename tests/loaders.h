@@ -164,7 +164,7 @@ inline std::vector<Seed> seeds_of_standards() {
 
 inline std::vector<Seed> seeds_of_void_reasons() {
     std::vector<Seed> seeds;
-    for (int i = 0; i <= static_cast<int>(db::VoidCause::kProctor); ++i)
+    for (int i = 0; i <= static_cast<int>(db::VoidCause::kTaskVersion); ++i)
         seeds.push_back({std::to_string(i), db::void_text({{static_cast<db::VoidCause>(i), 1, 2,
                                                             db::Said::as_is("words")}})});
     return seeds;
@@ -173,7 +173,7 @@ inline std::vector<Seed> seeds_of_void_reasons() {
 /// What the store keeps of the same reasons beside their words.
 inline std::vector<Seed> seeds_of_meanings() {
     std::vector<Seed> seeds;
-    for (int i = 0; i <= static_cast<int>(db::VoidCause::kProctor); ++i) {
+    for (int i = 0; i <= static_cast<int>(db::VoidCause::kTaskVersion); ++i) {
         db::NotDone why;
         why.voids.push_back({static_cast<db::VoidCause>(i), 1, 2,
                              db::Said::that("%1 of %2").with(3).with(std::string("words"))});

@@ -5,6 +5,7 @@
 
 #include "curriculum/standard.h"
 #include "db/consent_encryption.h"
+#include "db/course_conduct.h"
 #include "db/signature.h"
 #include "tests/rights_of_methods.h"
 
@@ -156,6 +157,16 @@ inline std::vector<Method> methods_of_training() {
          [](Call& c) {
              c.store.courses().save_certificate(c.subject.person, "first_steps", 1, "2026-01-01");
          }},
+        {"courses.begin_exam",
+         {{Action::kPerformAttempt, About::kPerson}},
+         {},
+         [](Call& c) { (void)c.store.courses().begin_exam(c.subject.person, {}); },
+         false,
+         true},
+        {"courses.exam_begins",
+         persons,
+         {},
+         [](Call& c) { (void)c.store.courses().exam_begins(c.subject.person); }},
         {"courses.certificates", all, {}, [](Call& c) { (void)c.store.courses().certificates(0); }},
         {"courses.certificates",
          persons,

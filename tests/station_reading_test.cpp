@@ -82,6 +82,7 @@ const std::vector<Sight>& sights() {
          }},
         {"course_assignments", "account_id = {who}", names},
         {"course_grants", "account_id = {who}", names},
+        {"exam_begins", "account_id = {who}", names},
         {"certificates", "account_id = {who}", names},
         {"trusted_centres", "true", is_in, false},
         {"centre_key", "true", is_in, false},
@@ -164,6 +165,10 @@ const std::vector<Write>& writes() {
         {"INSERT INTO course_grants (account_id, course_id, stage_id, attempts, reason, "
          "granted_by, granted_utc) VALUES ({who}, 'x', 'x', 9, '', '', '')",
          {Action::kAssignCourses}},
+        {"INSERT INTO exam_begins (account_id, course_id, course_version, stage_id, task_id, "
+         "task_version, seed, proctor, device_certificate, begun_utc) VALUES ({who}, 'x', 1, 'x', "
+         "'x', 1, '1', '', '', CAST(now() AS TEXT))",
+         {Action::kPerformAttempt}},
         {"INSERT INTO certificates (account_id, course_id, course_version, mastered_utc, "
          "issued_utc, issued_by, code) VALUES ({who}, 'x', 1, '', '', '', 'X')",
          {Action::kIssueCertificate}},
@@ -206,6 +211,9 @@ class StationReading : public StoreTest {
                  {"INSERT INTO course_grants (account_id, course_id, stage_id, attempts, reason, "
                   "granted_by, granted_utc) VALUES (" +
                       who + ", 'first_steps', 'touch', 1, '', '', '')",
+                  "INSERT INTO exam_begins (account_id, course_id, course_version, stage_id, "
+                  "task_id, task_version, seed, proctor, device_certificate, begun_utc) VALUES (" +
+                      who + ", 'x', 1, 'x', 'x', 1, '1', '', '', '')",
                   "INSERT INTO certificates (account_id, course_id, course_version, mastered_utc, "
                   "issued_utc, issued_by, code) VALUES (" +
                       who + ", 'first_steps', 1, '', '', '', 'C" + who + "')",

@@ -24,7 +24,10 @@ const std::vector<VoidReason> kAll{
     {VoidCause::kNoRecording, 0, 0, {}},
     {VoidCause::kOrderDiffers, 0, 0, {}},
     {VoidCause::kOrderMissing, 0, 0, {}},
-    {VoidCause::kProctor, 0, 0, {}}};
+    {VoidCause::kProctor, 0, 0, {}},
+    {VoidCause::kExamClosed, 0, 0, Said::as_is("all attempts are used")},
+    {VoidCause::kClock, 0, 0, Said::as_is("2026-02-01T00:00:00Z")},
+    {VoidCause::kTaskVersion, 0, 0, Said::as_is("it version 1")}};
 
 TEST(VoidReason, EveryListIsReadAsItWasWritten) {
     EXPECT_EQ(void_text({}), "");

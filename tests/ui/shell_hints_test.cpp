@@ -11,6 +11,7 @@
 #include "db/recording_file.h"
 #include "db/void_reason.h"
 #include "shell_harness.h"
+#include "tests/exam_course.h"
 #include "ui/shell/study_parts.h"
 
 namespace placode::ui {
@@ -428,7 +429,9 @@ void ShellHintsTest::whatCannotBeReplayedHereSaysSo() {
     result.score.verdict = assessment::Verdict::kPassed;
     shell_->owner().accounts().create(
         {"eva", "Eva", "quiet river 8", static_cast<db::Roles>(db::Role::kEducator), false});
-    result.exam = {"no_course", 1, "final", "Eva", ""};
+    test::publish_exam(shell_->owner(), "touch_targets", "0");
+    test::assign_exam(shell_->owner(), user_);
+    result.exam = {"short", 1, "final", "Eva", ""};
     result.recording_file = shell_->path("another.placode").toStdString();
     const auto sink = db::create_recording_file(result.recording_file);
     sink->begin(result.header);

@@ -51,6 +51,7 @@ Json to_json(const db::CourseStanding& standing) {
                                   {"status", status_name(own)},
                                   {"streak", own.streak},
                                   {"attempts", own.attempts},
+                                  {"begun_not_finished", own.unfinished},
                                   {"best_points", own.best_points},
                                   {"mastered_utc", own.mastered_utc},
                                   {"refresh_utc", own.refresh_utc}});
@@ -66,10 +67,15 @@ std::string text_of(const db::CourseStanding& standing) {
                         own.attempts == 0 ? "-" : fixed(own.best_points, 1),
                         std::to_string(own.attempts)});
     }
+    std::string unfinished;
+    for (size_t i = 0; i < standing.course.stages.size(); ++i)
+        if (const int count = standing.progress.stages[i].unfinished; count > 0)
+            unfinished += standing.course.stages[i].id +
+                          ": begun, not finished: " + std::to_string(count) + "\n";
     return standing.course.title.en +
            "\nnext: " + (standing.next.task_id.empty() ? std::string("-") : standing.next.task_id) +
            " (" + curriculum::next_kind_name(standing.next.kind) + "). " + standing.next.reason.en +
-           "\n" + table(rows);
+           "\n" + table(rows) + unfinished;
 }
 
 }  // namespace

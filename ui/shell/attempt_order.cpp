@@ -94,6 +94,7 @@ void write_order(AttemptOrder& order, const QString& folder) {
         {"exam_course", QString::fromStdString(order.exam.course_id)},
         {"exam_course_version", order.exam.course_version},
         {"exam_stage", QString::fromStdString(order.exam.stage_id)},
+        {"exam_begin", static_cast<qint64>(order.exam.begin)},
         {"proctor", QString::fromStdString(order.exam.proctor)},
         {"device_certificate", QString::fromStdString(order.exam.device_certificate)},
         {"nonce", fresh_nonce()}};
@@ -131,6 +132,7 @@ std::optional<AttemptOrder> read_order(const QString& recording_file) {
     order.exam.course_id = json["exam_course"].toString().toStdString();
     order.exam.course_version = json["exam_course_version"].toInt();
     order.exam.stage_id = json["exam_stage"].toString().toStdString();
+    order.exam.begin = json["exam_begin"].toInteger();
     order.exam.proctor = json["proctor"].toString().toStdString();
     order.exam.device_certificate = json["device_certificate"].toString().toStdString();
     order.recording_file = recording_file;

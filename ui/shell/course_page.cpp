@@ -238,6 +238,8 @@ class CoursePage : public Page {
             rule += tr(" · open to everybody: needs no stage before it");
         if (stage.progress.attempts_left >= 0)
             rule += tr(" · left: %1").arg(stage.progress.attempts_left);
+        if (stage.progress.unfinished > 0)
+            rule += tr(" · begun, not finished: %1").arg(stage.progress.unfinished);
         if (stage.progress.attempts == 0) {
             const db::AttemptRecord* last = lastTry(stage);
             return rule + (last == nullptr ? tr(" · not tried yet")

@@ -115,6 +115,7 @@ class GrantsCard : public QFrame {
             const auto& own = standing.progress.stages[place];
             QStringList words{tr("Attempts made: %1").arg(own.attempts),
                               tr("left: %1").arg(std::max(0, own.attempts_left))};
+            if (own.unfinished > 0) words << tr("begun, not finished: %1").arg(own.unfinished);
             for (const db::GrantRecord& each : store.courses().grants(user))
                 if (each.course_id == course_.id && each.stage_id == at->id)
                     words << tr("%1 granted on %2 by %3 (%4)")

@@ -82,6 +82,11 @@ namespace {
     QT_TRANSLATE_NOOP("Deviation",
                       "Practice, not verified: the proctor is the person examined, or neither "
                       "educator nor administrator here"),
+    QT_TRANSLATE_NOOP("Deviation", "Practice, not verified: it is not the exam that was open (%1)"),
+    QT_TRANSLATE_NOOP("Deviation",
+                      "Practice, not verified: the time that it says cannot be right (%1)"),
+    QT_TRANSLATE_NOOP("Deviation",
+                      "Practice, not verified: the exam asked for another version than %1"),
     QT_TRANSLATE_NOOP("Deviation", "practice, not verified"),
     QT_TRANSLATE_NOOP("Deviation", "it is still to be simulated again"),
     QT_TRANSLATE_NOOP("Deviation", "Attempts that do not count: %1 of %2 (%3)."),

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 
+#include "ui/shell/attempt_launcher.h"
 #include "ui/shell/course_words.h"
 #include "ui/shell/form_keys.h"
 #include "ui/shell/parts.h"
@@ -106,12 +107,14 @@ void TaskExam::prepare(AttemptOrder& order, bool haptic) {
     const db::ExamOrder ready = db::prepare_exam(
         context_.store(), context_.user().id, course_, stage_->id,
         proctor ? proctor->login : std::string(), haptic ? device : std::string(), exam_now_utc());
-    order.exam = ready.context;
+    // What cannot start uses up nothing.
+    const AttemptLauncher& launcher = context_.launcher();
+    if (launcher.program().isEmpty())
+        throw LaunchError(LaunchError::Kind::kMissing, simulator_missing(launcher.options()));
+    order.exam = db::begin_exam(context_.store(), context_.user().id, ready).context;
     // The file that lies beside the recording names nobody.
     if (proctor) order.exam.proctor = "user " + std::to_string(proctor->id);
     order.seed = ready.seed;
-    context_.audit("exam.begin", qstr(course_ + "/" + stage_->id),
-                   proctor ? QString("proctor user %1").arg(proctor->id) : QString());
 }
 
 }  // namespace placode::ui

@@ -1807,6 +1807,10 @@
         <source> · tried, does not count: %1</source>
         <translation> · próbowano, nie liczy się: %1</translation>
     </message>
+    <message>
+        <source> · begun, not finished: %1</source>
+        <translation> · rozpoczęte, nieukończone: %1</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -9700,6 +9704,18 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>it is still to be simulated again</source>
         <translation>czeka na ponowną symulację</translation>
     </message>
+    <message>
+        <source>Practice, not verified: it is not the exam that was open (%1)</source>
+        <translation>Ćwiczenie, niezweryfikowane: to nie jest egzamin, który był otwarty (%1)</translation>
+    </message>
+    <message>
+        <source>Practice, not verified: the time that it says cannot be right (%1)</source>
+        <translation>Ćwiczenie, niezweryfikowane: podany czas nie może być prawdziwy (%1)</translation>
+    </message>
+    <message>
+        <source>Practice, not verified: the exam asked for another version than %1</source>
+        <translation>Ćwiczenie, niezweryfikowane: egzamin wymagał innej wersji niż %1</translation>
+    </message>
 </context>
 <context>
     <name>TakeBackDialog</name>
@@ -11032,6 +11048,22 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>it has %1 entries of &quot;%2&quot;, and %3 are told</source>
         <translation>ma %1 wpisów „%2”, a podano %3</translation>
     </message>
+    <message>
+        <source>version %1 of its task is published, and this program has version %2; update Placode</source>
+        <translation>opublikowano wersję %1 zadania, a ten program ma wersję %2; zaktualizuj Placode</translation>
+    </message>
+    <message>
+        <source>another case is due by now; open the exam again</source>
+        <translation>teraz kolej na inny przypadek; otwórz egzamin ponownie</translation>
+    </message>
+    <message>
+        <source>another case is due by now</source>
+        <translation>teraz kolej na inny przypadek</translation>
+    </message>
+    <message>
+        <source>it was not begun here, or is saved already</source>
+        <translation>nie rozpoczęto go tutaj albo jest już zapisany</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::Details</name>
@@ -11323,6 +11355,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>More attempts for %1: %2.</source>
         <translation>Dalsze próby dla %1: %2.</translation>
+    </message>
+    <message>
+        <source>begun, not finished: %1</source>
+        <translation>rozpoczęte, nieukończone: %1</translation>
     </message>
 </context>
 <context>

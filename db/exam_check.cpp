@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/exam_check.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <optional>
+
+#include "curriculum/utc_time.h"
+#include "db/course_rows.h"
+#include "db/store_context.h"
+
+namespace placode::db {
+namespace {
+
+/// The person's own word, and nobody else's: an order lay beside the recording, or who is examined
+/// saves it.
+bool own_word(StoreContext& context, const UserRecord& user, const AttemptResult& result) {
+    return result.order || context.is_self(user.id);
+}
+
+/// @param why with a translation as what the store says.
+std::optional<VoidReason> closed(const char* why) {
+    return VoidReason{VoidCause::kExamClosed, 0, 0, Said::listed(why)};
+}
+
+/// Attempts, assignment and stage as they are now. @param begin absent: of an import.
+std::optional<VoidReason> closed_by_now(StoreContext& context, const UserRecord& user,
+                                        const AttemptResult& result, CourseRows rows,
+                                        const ExamBeginRecord* begin, const std::string& now_utc) {
+    const ExamContext& exam = result.exam;
+    // It is the one of which is asked whether it is left.
+    if (begin != nullptr)
+        std::erase_if(rows.begins, [&](const auto& each) { return each.id == begin->id; });
+    const CourseStanding standing = standing_from(context, exam.course_id, user.id, rows, now_utc);
+    if (standing.assignment.id == 0)
+        return closed(QT_TRANSLATE_NOOP("Said", "the course is not assigned to this person"));
+    const curriculum::CourseStage* stage = standing.course.stage(exam.stage_id);
+    if (stage == nullptr || stage->mode != curriculum::StageMode::kExam)
+        return closed(QT_TRANSLATE_NOOP("Said", "the course has no such exam stage"));
+    const curriculum::StageProgress& own = progress_of(standing, exam.stage_id);
+    if (own.attempts_left == 0) return closed(QT_TRANSLATE_NOOP("Said", "all attempts are used"));
+    const uint64_t due = begin != nullptr ? begin->seed : own.next_seed;
+    if (result.header.task_id != stage->task_id || result.header.seed != due)
+        return closed(QT_TRANSLATE_NOOP("Said", "another case is due by now"));
+    return std::nullopt;
+}
+
+/// The client's clock decides on dates and on whether a skill is fresh, so it has to be right.
+std::optional<VoidReason> clock_doubt(const AttemptResult& result, const ExamBeginRecord* begin,
+                                      const std::string& now_utc) {
+    const std::string& said = result.header.started_utc;
+    if (said.empty()) return std::nullopt;  // Kept as begun when it was saved.
+    const VoidReason wrong{VoidCause::kClock, 0, 0, Said::as_is(said)};
+    const auto started = curriculum::utc_seconds(said), now = curriculum::utc_seconds(now_utc);
+    if (!started || (now && *started > *now + kClockAllowanceS)) return wrong;
+    if (begin == nullptr) return std::nullopt;
+    const auto begun = curriculum::utc_seconds(begin->begun_utc);
+    const auto length = static_cast<int64_t>(std::clamp(result.end.duration_s, 0.0, 7200.0));
+    if (!begun || *started < *begun - kClockAllowanceS ||
+        *started > *begun + length + kClockAllowanceS)
+        return wrong;
+    return std::nullopt;
+}
+
+std::optional<VoidReason> version_doubt(const AttemptResult& result, int asked) {
+    const int version = result.header.task_version;
+    // 0: of an old recording, which is judged by the newest text anyway.
+    if (version == 0 || asked == 0 || version == asked) return std::nullopt;
+    return VoidReason{VoidCause::kTaskVersion, 0, 0,
+                      Said::listed(QT_TRANSLATE_NOOP("Said", "%1 version %2"))
+                          .with(result.header.task_id)
+                          .with(version)};
+}
+
+const ExamBeginRecord* begin_in(const CourseRows& rows, const ExamContext& exam) {
+    const auto found =
+        std::find_if(rows.begins.begin(), rows.begins.end(), [&](const ExamBeginRecord& each) {
+            return each.id == exam.begin && each.course_id == exam.course_id &&
+                   each.stage_id == exam.stage_id && each.attempt_id == 0;
+        });
+    return found == rows.begins.end() ? nullptr : &*found;
+}
+
+void add(ExamCheck& check, const std::optional<VoidReason>& doubt) {
+    if (doubt) check.doubts.push_back(*doubt);
+}
+
+}  // namespace
+
+ExamCheck check_exam(StoreContext& context, const UserRecord& user, bool proctor,
+                     const AttemptResult& result) {
+    ExamCheck check;
+    const bool own = own_word(context, user, result);
+    const std::string now = clock_of_store(context.connection);
+    if (result.exam.course_id.empty()) {
+        if (own) add(check, clock_doubt(result, nullptr, now));
+        return check;
+    }
+    lock_exams(context.connection, user.id);
+    const CourseRows rows = course_rows(context, user);
+    const ExamBeginRecord* begin = begin_in(rows, result.exam);
+    if (begin != nullptr)
+        check.begin = begin->id;
+    else if (result.exam.begin != 0 || result.order || (own && !proctor))
+        add(check, closed(QT_TRANSLATE_NOOP("Said", "it was not begun here, or is saved already")));
+    if (check.doubts.empty()) add(check, closed_by_now(context, user, result, rows, begin, now));
+    if (own || begin != nullptr) add(check, clock_doubt(result, begin, now));
+    add(check, version_doubt(result, begin != nullptr
+                                         ? begin->task_version
+                                         : newest_task_version(context, result.header.task_id)));
+    return check;
+}
+
+}  // namespace placode::db

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Whether an attempt that is being saved as an exam is the one that was begun. What was shown when
+// it began may be long over: attempts, case and assignment are looked up again, within the
+// transaction that saves it.
+
+#include <cstdint>
+#include <vector>
+
+#include "db/records.h"
+
+namespace placode::db {
+
+struct StoreContext;
+
+/// By how much the clocks of station and store may differ [s].
+inline constexpr int64_t kClockAllowanceS = 300;
+
+struct ExamCheck {
+    int64_t begin = 0;  ///< The begin that the attempt ends; 0 = none.
+    std::vector<VoidReason> doubts;
+};
+
+/// Within the transaction that saves it. Of practice only the time is looked at. An import has no
+/// begin: somebody else than the examined person vouches for it, who saves it or is proctor.
+/// @param proctor the attempt has one who may be it. Throws StoreError.
+[[nodiscard]] ExamCheck check_exam(StoreContext& context, const UserRecord& user, bool proctor,
+                                   const AttemptResult& result);
+
+}  // namespace placode::db

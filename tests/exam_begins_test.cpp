@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An exam that was begun has used up an attempt, and what is saved as an exam is the one that was
+// begun, on both engines.
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "curriculum/shipped_definitions.h"
+#include "curriculum/utc_time.h"
+#include "db/attempt_counting.h"
+#include "db/course_conduct.h"
+#include "db/recording_order.h"
+#include "db/sql_connection.h"
+#include "tests/exam_course.h"
+#include "tests/recorded_attempt.h"
+#include "tests/store_fixture.h"
+
+using namespace placode;
+using namespace placode::test;
+using db::StoreError;
+using testing::HasSubstr;
+
+namespace THIS_TEST {
+
+World* const world = World::install();
+constexpr const char* kTask = "touch_targets";
+
+class ExamBegins : public EngineTest {
+ protected:
+    void ready() override {
+        store = open();
+        anna = add("anna", db::Role::kTrainee);
+        add("ewa", db::Role::kEducator);
+        publish_exam(*store, kTask, "7,8", R"("max_attempts":2,)");
+        assignment = assign_exam(*store, anna);
+    }
+    int64_t add(const std::string& login, db::Role role) const {
+        return store->accounts().create(
+            {login, "Dr " + login, "long enough 1", static_cast<db::Roles>(role), false});
+    }
+    [[nodiscard]] static std::string later(int64_t seconds) {
+        return curriculum::utc_text(*curriculum::utc_seconds(db::utc_now()) + seconds);
+    }
+    [[nodiscard]] db::ExamOrder prepared(db::Store& at) const {
+        return db::prepare_exam(at, anna, "short", "final", "", "", db::utc_now());
+    }
+    [[nodiscard]] db::ExamOrder begun() const {
+        return db::begin_exam(*store, anna, prepared(*store));
+    }
+    [[nodiscard]] db::AttemptResult result_of(const db::ExamOrder& order) const {
+        db::AttemptResult result;
+        result.header.task_id = order.task_id;
+        result.header.task_version = curriculum::shipped_task(kTask)->version;
+        result.header.seed = order.seed;
+        result.header.mode = "exam";
+        result.header.started_utc = db::utc_now();
+        result.end.reason = sim::EndReason::kFinished;
+        result.end.duration_s = 60;
+        result.score.points = 90;
+        result.score.verdict = assessment::Verdict::kPassed;
+        result.exam = order.context;
+        return result;
+    }
+    /// As the shell does: with the order that lies beside the recording.
+    db::AttemptRecord keep(db::AttemptResult result, int64_t user = 0) {
+        const std::string text = "order " + std::to_string(++files);
+        record_to(folder.file("exam" + std::to_string(files) + ".placode"), result,
+                  db::order_checksum(text));
+        result.order = text;
+        const int64_t id = store->attempts().save(user == 0 ? anna : user, result);
+        replay_as_identical(*store, id);
+        return store->attempts().detail(id).record;
+    }
+    /// As an import does.
+    db::AttemptRecord take(const db::AttemptResult& result) const {
+        const int64_t id = save_recorded(*store, anna, result, folder.path().string());
+        return store->attempts().detail(id).record;
+    }
+    [[nodiscard]] curriculum::CourseProgress progress() const {
+        return db::course_standing(*store, anna, "short", db::utc_now()).progress;
+    }
+    [[nodiscard]] curriculum::StageProgress stage() const { return progress().stages.front(); }
+
+    std::unique_ptr<db::Store> store;
+    int64_t anna = 0, assignment = 0;
+    int files = 0;
+};
+
+INSTANTIATE_TEST_SUITE_P(Engines, ExamBegins, testing::Values("Sqlite", "Postgresql"), engine_name);
+
+TEST_P(ExamBegins, WhoKillsShellAndSimulatorHasUsedUpTheAttempt) {
+    const db::ExamOrder first = begun();
+    EXPECT_GT(first.context.begin, 0);
+    EXPECT_EQ(store->audit().trail(1).front().action, "exam.begin");
+    EXPECT_EQ(store->audit().trail(1).front().object, "short/final");
+    // Nothing was saved, and the store was opened again.
+    store = open();
+    EXPECT_EQ(stage().attempts, 1);
+    EXPECT_EQ(stage().unfinished, 1) << "begun, not finished";
+    EXPECT_EQ(stage().attempts_left, 1);
+    EXPECT_EQ(stage().next_seed, 8u) << "the case was seen";
+    (void)begun();
+    EXPECT_THAT(failure_of([&] { (void)begun(); }).what(), HasSubstr("all attempts are used"));
+    ASSERT_EQ(store->courses().exam_begins(anna).size(), 2u);
+    EXPECT_EQ(store->courses().exam_begins(anna)[0].attempt_id, 0);
+    // An educator gives one back, with a reason.
+    store->courses().grant_attempts({anna, "short", "final", 1, "a power cut", {}, {}});
+    EXPECT_EQ(stage().attempts_left, 1);
+    EXPECT_EQ(begun().seed, 7u);
+    EXPECT_EQ(store->check(), std::vector<std::string>{});
+}
+
+TEST_P(ExamBegins, SavingTheAttemptEndsTheBegin) {
+    const db::AttemptRecord kept = keep(result_of(begun()));
+    EXPECT_EQ(kept.void_reason, "");
+    EXPECT_TRUE(db::counts(kept));
+    EXPECT_EQ(stage().attempts, 1);
+    EXPECT_EQ(stage().unfinished, 0);
+    EXPECT_TRUE(progress().mastered);
+    EXPECT_EQ(store->courses().exam_begins(anna).at(0).attempt_id, kept.id);
+    EXPECT_EQ(kept.exam.begin, store->courses().exam_begins(anna).at(0).id);
+}
+
+TEST_P(ExamBegins, OneBeginIsTheExamOfOneAttempt) {
+    const db::ExamOrder order = begun();
+    ASSERT_TRUE(db::counts(keep(result_of(order))));
+    const db::AttemptRecord second = keep(result_of(order));
+    EXPECT_FALSE(db::counts(second));
+    EXPECT_THAT(second.void_reason, HasSubstr("it was not begun here, or is saved already"));
+    EXPECT_EQ(second.exam.begin, 0);
+}
+
+TEST_P(ExamBegins, WhatWasNotBegunIsNoExam) {
+    db::AttemptResult made_up = result_of(prepared(*store));
+    EXPECT_FALSE(db::counts(keep(made_up)));
+    made_up.exam.begin = 99;
+    EXPECT_FALSE(db::counts(keep(made_up)));
+    EXPECT_FALSE(progress().mastered);
+}
+
+TEST_P(ExamBegins, ABeginIsForItsPersonCaseAndStageOnly) {
+    const db::ExamOrder order = begun();
+    db::AttemptResult other = result_of(order);
+    other.header.seed = 8;
+    EXPECT_THAT(keep(other).void_reason, HasSubstr("another case is due by now"));
+    const int64_t jan = add("jan", db::Role::kTrainee);
+    assign_exam(*store, jan);
+    EXPECT_THAT(keep(result_of(order), jan).void_reason, HasSubstr("it was not begun here"));
+}
+
+TEST_P(ExamBegins, TwoStationsDoNotBeginTheSameAttempt) {
+    const auto elsewhere = open();
+    const db::ExamOrder here = prepared(*store), there = prepared(*elsewhere);
+    (void)db::begin_exam(*store, anna, here);
+    EXPECT_EQ(failure_of([&] { (void)db::begin_exam(*elsewhere, anna, there); }).kind(),
+              StoreError::Kind::kConflict)
+        << "another case is due";
+    const db::ExamOrder last = prepared(*elsewhere);
+    (void)db::begin_exam(*store, anna, prepared(*store));
+    EXPECT_THAT(failure_of([&] { (void)db::begin_exam(*elsewhere, anna, last); }).what(),
+                HasSubstr("all attempts are used"));
+}
+
+TEST_P(ExamBegins, OfManyAtOnceOneBeginsTheLastAttempt) {
+    (void)begun();
+    const db::ExamOrder last = prepared(*store);
+    std::atomic<int> begins{0};
+    std::vector<std::thread> stations;
+    for (int i = 0; i < 4; ++i)
+        stations.emplace_back([&] {
+            const auto own = open();
+            try {
+                (void)db::begin_exam(*own, anna, last);
+                ++begins;
+            } catch (const StoreError&) {
+                // Somebody else did.
+            }
+        });
+    for (std::thread& each : stations) each.join();
+    EXPECT_EQ(begins, 1);
+    EXPECT_EQ(stage().attempts, 2);
+}
+
+TEST_P(ExamBegins, AttemptsCaseAndAssignmentAreLookedUpAgainWhenTheExamIsSaved) {
+    // Two stations of an older program: nobody wrote down that they began.
+    const db::ExamOrder one = prepared(*store), two = prepared(*store);
+    EXPECT_TRUE(db::counts(take(result_of(one))));
+    const db::AttemptRecord second = take(result_of(two));
+    EXPECT_FALSE(db::counts(second));
+    EXPECT_THAT(second.void_reason, HasSubstr("it is not the exam that was open, another case is "
+                                              "due by now"));
+    const db::AttemptRecord third = take(result_of(two));
+    EXPECT_THAT(third.void_reason, HasSubstr("all attempts are used"));
+    store->courses().grant_attempts({anna, "short", "final", 2, "for the test", {}, {}});
+    const db::ExamOrder order = begun();
+    store->courses().end_assignment(assignment);
+    const db::AttemptRecord unassigned = keep(result_of(order));
+    EXPECT_FALSE(db::counts(unassigned));
+    EXPECT_THAT(unassigned.void_reason, HasSubstr("the course is not assigned to this person"));
+}
+
+TEST_P(ExamBegins, ARecordingWhoseClockIsWrongDoesNotCount) {
+    const auto at = [&](const std::string& started_utc) {
+        store->courses().grant_attempts({anna, "short", "final", 1, "for the test", {}, {}});
+        db::AttemptResult result = result_of(begun());
+        result.header.started_utc = started_utc;
+        return keep(result);
+    };
+    for (const std::string& wrong :
+         {later(-86400), later(-400), later(400), later(86400), std::string("yesterday")}) {
+        const db::AttemptRecord kept = at(wrong);
+        EXPECT_FALSE(db::counts(kept)) << wrong;
+        EXPECT_THAT(kept.void_reason, HasSubstr("the time that it says cannot be right, " + wrong));
+    }
+    EXPECT_TRUE(db::counts(at(later(-60)))) << "clocks differ a little";
+    // Practice from the future would put off when a skill is to be refreshed.
+    db::AttemptResult practice = result_of(prepared(*store));
+    practice.exam = {};
+    practice.header.mode = "practice";
+    practice.header.started_utc = later(86400);
+    EXPECT_FALSE(db::counts(keep(practice)));
+    practice.header.started_utc = later(-86400);
+    EXPECT_TRUE(db::counts(keep(practice))) << "kept by a crash, saved on the next day";
+}
+
+TEST_P(ExamBegins, AnOlderVersionOfTheTaskIsNoExam) {
+    db::DefinitionRecord task;
+    task.kind = "task";
+    task.id = kTask;
+    task.version = curriculum::shipped_task(kTask)->version;
+    task.json = curriculum::shipped_task(kTask)->json;
+    store->definitions().publish(task);
+    db::AttemptResult older = result_of(begun());
+    older.header.task_version = task.version + 1;
+    const db::AttemptRecord kept = keep(older);
+    EXPECT_FALSE(db::counts(kept));
+    EXPECT_THAT(kept.void_reason, HasSubstr("the exam asked for another version than "));
+    const db::ExamOrder order = prepared(*store);
+    ++task.version;
+    task.reason = "an amendment";
+    auto json = nlohmann::json::parse(task.json);
+    json["version"] = task.version;
+    task.json = json.dump();
+    store->definitions().publish(task);
+    EXPECT_THAT(failure_of([&] { (void)db::begin_exam(*store, anna, order); }).what(),
+                HasSubstr("update Placode"))
+        << "the simulator here would perform the older one";
+    EXPECT_THAT(take(result_of(order)).void_reason,
+                HasSubstr("the exam asked for another version than touch_targets version 1"));
+}
+
+TEST_P(ExamBegins, AtAStationWhoIsExaminedBeginsAndNobodyElse) {
+    const auto station = open_at_station();
+    ASSERT_EQ(station->accounts().sign_in("anna", "long enough 1").outcome, db::SignInOutcome::kOk);
+    const db::ExamOrder order = db::begin_exam(*station, anna, prepared(*station));
+    EXPECT_GT(order.context.begin, 0);
+    EXPECT_EQ(station->courses().exam_begins(anna).size(), 1u);
+    ASSERT_EQ(station->accounts().sign_in("ewa", "long enough 1").outcome, db::SignInOutcome::kOk);
+    EXPECT_EQ(failure_of([&] { (void)station->courses().begin_exam(anna, order); }).kind(),
+              StoreError::Kind::kRefused);
+}
+
+TEST_P(ExamBegins, ErasureTakesTheBeginsAlong) {
+    (void)begun();
+    add("ola", db::Role::kAdministrator);
+    store->accounts().erase(anna, false);
+    EXPECT_EQ(raw().value("SELECT COUNT(*) FROM exam_begins"), "0");
+}
+
+/// What was changed behind the store's back is found.
+TEST_P(ExamBegins, ABeginIsSealed) {
+    (void)begun();
+    ASSERT_TRUE(raw().run("DELETE FROM exam_begins"));
+    const auto problems = store->check();
+    ASSERT_FALSE(problems.empty());
+    EXPECT_THAT(problems.front(), HasSubstr("user " + std::to_string(anna) + " was changed"));
+}
+
+/// A store from before there were begins.
+TEST(ExamBeginsOfOldStores, AnOldStoreOpensAndItsExamsStayAsTheyWere) {
+    TemporaryFolder folder;
+    ::setenv("PLACODE_STATION_KEY", folder.file("station.key").c_str(), 1);
+    db::StoreOptions options;
+    options.cheap_passwords = true;
+    const std::string url = "sqlite:" + folder.file("placode.db");
+    auto store = db::open_store(url, options);
+    const int64_t anna = store->accounts().create(
+        {"anna", "Anna", "long enough 1", static_cast<db::Roles>(db::Role::kTrainee), false});
+    publish_exam(*store, kTask, "7,8", R"("max_attempts":2,)");
+    assign_exam(*store, anna);
+    db::AttemptResult result;
+    result.header.task_id = kTask;
+    result.header.seed = 7;
+    result.score.verdict = assessment::Verdict::kPassed;
+    result.exam = {"short", 1, "final", "", ""};
+    (void)save_recorded(*store, anna, result, folder.path().string());
+    store.reset();
+    RawConnection pen("QSQLITE", folder.file("placode.db"));
+    for (const char* each :
+         {"DROP INDEX attempts_by_exam_begin", "ALTER TABLE attempts DROP COLUMN exam_begin",
+          "DROP TABLE exam_begins",
+          "DELETE FROM schema_migrations WHERE name = '0017_exam_begins.sql'"})
+        ASSERT_TRUE(pen.run(each)) << pen.problem();
+    store = db::open_store(url, options);
+    EXPECT_EQ(store->check(), std::vector<std::string>{});
+    const auto standing = db::course_standing(*store, anna, "short", db::utc_now());
+    EXPECT_EQ(standing.progress.stages[0].attempts, 1);
+    EXPECT_TRUE(standing.progress.mastered);
+}
+
+}  // namespace THIS_TEST
