@@ -222,8 +222,7 @@ CertificateRecord issue_certificate(Store& store, int64_t user_id, const std::st
         refuse("certificate of " + course_id + ": ",
                Said::that("not mastered yet. %1").with(Said::as_is(standing.next.reason)));
     publish_course_on_first_use(store, standing.course);
-    return store.courses().save_certificate(user_id, course_id, standing.course.version,
-                                            standing.progress.mastered_utc);
+    return store.courses().save_certificate(user_id, course_id, standing.course.version);
 }
 
 }  // namespace placode::db

@@ -3,6 +3,7 @@
 #include "db/courses.h"
 
 #include "curriculum/utc_time.h"
+#include "db/course_rows.h"
 #include "db/packing.h"
 #include "db/store_context.h"
 
@@ -175,10 +176,27 @@ CertificateRecord read_certificate(const Statement& row) {
             row.text("issued_by"),    row.text("code")};
 }
 
+/// When the rows say that this version was mastered. Throws kRefused: they do not.
+std::string mastered_at(StoreContext& context, int64_t user_id, const std::string& course_id,
+                        int version, const std::string& now_utc) {
+    const auto published =
+        version == 0 ? std::nullopt : context.find_definition("course", course_id, version);
+    if (!published)
+        context.connection.fail(
+            Kind::kRefused,
+            Said::that("version %1 is not published; publish it first").with(version));
+    const curriculum::CourseProgress progress =
+        progress_in(curriculum::load_course_text(published->json, "course " + course_id),
+                    course_rows(context, context.need_owner(user_id)), now_utc);
+    if (!progress.mastered)
+        context.connection.fail(Kind::kRefused, Said::that("the course is not mastered"));
+    return progress.mastered_utc;
+}
+
 }  // namespace
 
 CertificateRecord Courses::save_certificate(int64_t user_id, const std::string& course_id,
-                                            int course_version, const std::string& mastered_utc) {
+                                            int course_version) {
     connection_.begin_operation("issue a certificate in");
     context_.need_for(Action::kIssueCertificate, user_id);
     UnitOfWork work(connection_);
@@ -192,6 +210,7 @@ CertificateRecord Courses::save_certificate(int64_t user_id, const std::string& 
     };
     if (const auto there = find()) return *there;
     const std::string now = utc_now();
+    const std::string mastered_utc = mastered_at(context_, user_id, course_id, course_version, now);
     // Short enough to be read out, long enough that nobody guesses one.
     const std::string code =
         checksum_hex(std::to_string(user_id) + "\x1f" + course_id + "\x1f" +

@@ -33,10 +33,10 @@ class Courses {
     /// Throws kRefused; kConflict where another case is due by now. In db/exam_begins.cpp.
     [[nodiscard]] int64_t begin_exam(int64_t user_id, const ExamOrder& order);
     [[nodiscard]] std::vector<ExamBeginRecord> exam_begins(int64_t user_id);  ///< Oldest first.
-    /// The same certificate again where this version has one. Whether it is deserved is decided by
-    /// issue_certificate() in db/course_conduct.h.
+    /// The same certificate again where this version has one. Throws kRefused where the rows do not
+    /// show that the course is mastered.
     CertificateRecord save_certificate(int64_t user_id, const std::string& course_id,
-                                       int course_version, const std::string& mastered_utc);
+                                       int course_version);
     [[nodiscard]] std::vector<CertificateRecord> certificates(int64_t user_id);  ///< 0 = all.
 
  private:

@@ -253,6 +253,18 @@ TEST_P(ExamBegins, AnOlderVersionOfTheTaskIsNoExam) {
                 HasSubstr("the exam asked for another version than touch_targets version 1"));
 }
 
+TEST_P(ExamBegins, ACertificateNeedsTheMasteryThatTheRowsShow) {
+    const auto issue = [&](int version) {
+        return store->courses().save_certificate(anna, "short", version);
+    };
+    EXPECT_THAT(failure_of([&] { (void)issue(1); }).what(),
+                HasSubstr("the course is not mastered"));
+    EXPECT_THAT(failure_of([&] { (void)issue(2); }).what(), HasSubstr("is not published"));
+    const db::AttemptRecord kept = keep(result_of(begun()));
+    EXPECT_EQ(issue(1).mastered_utc, kept.started_utc);
+    EXPECT_EQ(store->courses().certificates(anna).size(), 1u);
+}
+
 TEST_P(ExamBegins, AtAStationWhoIsExaminedBeginsAndNobodyElse) {
     const auto station = open_at_station();
     ASSERT_EQ(station->accounts().sign_in("anna", "long enough 1").outcome, db::SignInOutcome::kOk);

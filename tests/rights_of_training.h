@@ -154,9 +154,9 @@ inline std::vector<Method> methods_of_training() {
         {"courses.save_certificate",
          {{Action::kIssueCertificate, About::kPerson}},
          {},
-         [](Call& c) {
-             c.store.courses().save_certificate(c.subject.person, "first_steps", 1, "2026-01-01");
-         }},
+         [](Call& c) { c.store.courses().save_certificate(c.subject.person, "first_steps", 1); },
+         false,
+         true},
         {"courses.begin_exam",
          {{Action::kPerformAttempt, About::kPerson}},
          {},

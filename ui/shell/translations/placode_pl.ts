@@ -11049,6 +11049,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>ma %1 wpisów „%2”, a podano %3</translation>
     </message>
     <message>
+        <source>the course is not mastered</source>
+        <translation>kurs nie jest zaliczony</translation>
+    </message>
+    <message>
         <source>version %1 of its task is published, and this program has version %2; update Placode</source>
         <translation>opublikowano wersję %1 zadania, a ten program ma wersję %2; zaktualizuj Placode</translation>
     </message>
