@@ -40,6 +40,11 @@ BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM placode_guard.insist(NEW.replayed_utc = '' AND NEW.generated_from = 0 AND NEW.replay =
             CASE WHEN NEW.exam_course <> '' OR NEW.study <> '' THEN waits ELSE 0 END);
+        -- An exam of one's own was begun here, or somebody watched who is named.
+        PERFORM placode_guard.insist(NEW.exam_course = '' OR NEW.void_reason <> '' OR NEW.proctor <> ''
+            OR NEW.account_id <> placode_guard.me() OR EXISTS (SELECT FROM public.exam_begins b
+                WHERE b.id = NEW.exam_begin AND b.account_id = NEW.account_id AND b.course_id = NEW.exam_course
+                    AND b.stage_id = NEW.exam_stage));
         RETURN NEW;
     END IF;
     PERFORM placode_guard.insist(CASE

@@ -139,6 +139,12 @@ inline constexpr std::array kGuardAttacks{
     PLACODE_FORGED_BY("3", "0", "", ""),
     PLACODE_FORGED_BY("2", "1", ", replay", ", 2"),
     PLACODE_FORGED_BY("2", "1", ", exam_course, exam_course_version, exam_stage", ", 'x', 1, 'y'"),
+    // Exams that nobody began.
+    PLACODE_FORGED_BY("2", "1", ", exam_course, exam_course_version, exam_stage, replay",
+                      ", 'x', 1, 'y', 1"),
+    PLACODE_FORGED_BY("2", "1",
+                      ", exam_course, exam_course_version, exam_stage, exam_begin, replay",
+                      ", 'x', 1, 'y', 1, 1"),
     "BEGIN; SET CONSTRAINTS ALL DEFERRED; " PLACODE_FORGED("", "") "; COMMIT",
     "BEGIN; " PLACODE_FORGED_BY("2", "1", "", "") "; UPDATE attempts SET replay = 2",
     "BEGIN; " PLACODE_FORGED_BY("2", "1", "", "") "; UPDATE attempts SET demonstration = 0",
