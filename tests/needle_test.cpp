@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -90,13 +91,14 @@ TEST(Needle, FootFromAPlaceNearByIsTheSame) {
     }
 }
 
-TEST(Needle, NearestIsTheNearestOfManyPlaces) {
+TEST(Needle, TheFootIsTheNearestOfManyPlaces) {
     const Needle needle(of_arc(17e-3));
     for (int i = 0; i < 400; ++i) {
         // A lattice without symmetry, 12 mm around the centre.
         const Vec3 p(12e-3 * std::sin(1.7 * i), 12e-3 * std::sin(2.3 * i + 1),
                      4e-3 * std::sin(3.1 * i + 2));
-        const double s = needle.nearest_m(p), distance = (needle.at(s).place_m - p).norm();
+        const double s = std::clamp(needle.foot(p).s_m, 0.0, needle.arc_m()),
+                     distance = (needle.at(s).place_m - p).norm();
         ASSERT_GE(s, 0);
         ASSERT_LE(s, needle.arc_m());
         for (int k = 0; k <= 500; ++k) {
@@ -108,7 +110,7 @@ TEST(Needle, NearestIsTheNearestOfManyPlaces) {
 
 TEST(Needle, PlacesWithoutANearestHaveOneAllTheSame) {
     const Needle needle(of_arc(17e-3));
-    EXPECT_EQ(needle.nearest_m(Vec3::Zero()), 0);
+    EXPECT_EQ(needle.foot(Vec3::Zero()).s_m, 0);
     const double opposite = needle.foot(Vec3(0, -needle.radius_m(), 0)).s_m;
     EXPECT_TRUE(std::isfinite(opposite));
     EXPECT_NEAR(std::abs(opposite - needle.arc_m() / 2), needle.arc_m(), 1e-9);

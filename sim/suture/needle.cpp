@@ -97,8 +97,4 @@ ArcFoot Needle::foot_near(const Vec3& p_N, const Vec3& radial, double s_m) const
     return f;
 }
 
-double Needle::nearest_m(const Vec3& p_N) const noexcept {
-    return std::clamp(foot(p_N).s_m, 0.0, spec_.arc_m);
-}
-
 }  // namespace placode::sim

@@ -65,9 +65,6 @@ class Needle {
     /// it is foot().
     /// @param radial, s_m of that place.
     [[nodiscard]] ArcFoot foot_near(const Vec3& p_N, const Vec3& radial, double s_m) const noexcept;
-    /// Arc coordinate of the needle's place next to a point, 0 to arc [m]: an end where the foot
-    /// lies beyond it.
-    [[nodiscard]] double nearest_m(const Vec3& p_N) const noexcept;
     /// Where the point is, and which way it goes.
     [[nodiscard]] Vec3 tip_m() const noexcept { return {radius_m_, 0, 0}; }
     [[nodiscard]] static Vec3 forward() noexcept { return -Vec3::UnitY(); }

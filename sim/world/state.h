@@ -99,7 +99,8 @@ void fields(Of<State> auto& s, Visit&& visit) {
     visit.constant(events, event_count, flags, workers, scratch);
 }
 
-/// Hash over everything that decides the future: body, heat, tools, surface, phase.
+/// What recordings carry once a second: body, heat, tools, surface, phase. whole_hash() knows all
+/// that decides the future.
 [[nodiscard]] uint64_t state_hash(const State& state) noexcept;
 
 }  // namespace placode::sim
