@@ -12,6 +12,7 @@
 #include "assessment/motion_metrics.h"
 #include "assessment/patch_metrics.h"
 #include "assessment/tissue_metrics.h"
+#include "assessment/undermine_metrics.h"
 #include "assessment/wash_metrics.h"
 
 namespace placode::assessment {
@@ -293,6 +294,27 @@ std::optional<Locus> locate_wash(std::string_view metric, const sim::Recording& 
     return locus;
 }
 
+/// Where skin holds nearest to the wound's edge; fascia where it tore first.
+std::optional<Locus> locate_undermining(std::string_view metric, const sim::Recording& recording) {
+    const bool closing = metric.substr(0, 8) == "closing_";
+    if (!closing && metric.substr(0, 10) != "undermine_") return std::nullopt;
+    if (metric == "undermine_fascia_mm3") {
+        return locate_first(recording, [](const Event& e) {
+            return e.kind == EventKind::kTorn && e.tissue == sim::Tissue::kMuscle;
+        });
+    }
+    const int side = metric == "undermine_left_percent"    ? 1
+                     : metric == "undermine_right_percent" ? -1
+                                                           : 0;
+    Locus locus;
+    const Event* shown = shallowest_line(recording, side);
+    if (shown == nullptr) return locus;
+    locus.count = 1;
+    use_event(locus, *shown, false);
+    locus.time_s = -1;  // how far it came is no moment
+    return locus;
+}
+
 /// The bite of a row that a metric speaks of, where it went in or came out.
 std::optional<Locus> locate_bite(std::string_view metric, const sim::Recording& recording) {
     if (metric.substr(0, 5) != "bite_" && metric != "bites_done") return std::nullopt;
@@ -319,6 +341,7 @@ Locus locate(std::string_view metric, double threshold, const sim::Recording& re
     if (const auto found = locate_bite(metric, recording)) return *found;
     if (const auto found = locate_patch(metric, recording)) return *found;
     if (const auto found = locate_wash(metric, recording)) return *found;
+    if (const auto found = locate_undermining(metric, recording)) return *found;
     if (const auto found = locate_on_line(metric, recording)) return *found;
     if (metric == "resected_percent" || metric == "marked_gone_percent" || metric == "pieces_out" ||
         metric == "resected_mm3")

@@ -14,6 +14,7 @@
 #include "assessment/practice.h"
 #include "assessment/suture_metrics.h"
 #include "assessment/tissue_metrics.h"
+#include "assessment/undermine_metrics.h"
 #include "assessment/wanted_metrics.h"
 #include "assessment/wash_metrics.h"
 
@@ -71,6 +72,7 @@ void add_what_needs_no_track(const sim::Recording& recording, std::vector<Metric
     add_closure_metrics(recording, found);
     add_patch_metrics(recording, found);
     add_wash_metrics(recording, found);
+    add_undermine_metrics(recording, found);
 }
 
 /// In the order of the definitions; what is not finite is not known.

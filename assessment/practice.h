@@ -46,6 +46,16 @@ struct WashSight {
 /// So little fluid may stand in a field that counts as dry [m3]: planning value.
 inline constexpr double kDryM3 = 2.5e-8;
 
+/// How far skin is undermined.
+struct UndermineSight {
+    /// Share of the area to be freed that is free, on the side away from each tool's port.
+    std::array<double, sim::kMaxTools> freed{};
+};
+
+/// So much of what is to be freed is enough; the rest parts when edges are drawn together. Planning
+/// value.
+inline constexpr double kEnoughUndermined = 0.75;
+
 /// What is there to see in one sample.
 struct PracticeSight {
     const sim::Sample& sample;
@@ -57,6 +67,7 @@ struct PracticeSight {
     double slit_gap_m = -1;             ///< Between the step's marks; -1 where there is no slit.
     const PatchSight* patch = nullptr;  ///< nullptr where there is none.
     const WashSight* wash = nullptr;    ///< Likewise.
+    const UndermineSight* undermine = nullptr;
 };
 
 /// The target of a step at rest [m], in the plane: where the step says, or on the clock of the
@@ -109,6 +120,7 @@ class PracticeTracker {
     [[nodiscard]] bool eased_off(double slit_gap_m, double pull_n) noexcept;
     [[nodiscard]] bool did_draw(double slit_gap_m, double pull_n) noexcept;
     [[nodiscard]] bool did_wash(const WashSight* wash) noexcept;
+    [[nodiscard]] bool did_undermine(const UndermineSight* undermine, size_t tool) noexcept;
     [[nodiscard]] bool did_patch(const PatchSight* patch, size_t tool) noexcept;
     void close_bin(int tool, double time_s) noexcept;
     void close_traction(double time_s) noexcept;

@@ -75,6 +75,9 @@ bool PracticeTracker::did(const PracticeSight& sight) noexcept {
         case PracticeKind::kSuck:
             done = did_wash(sight.wash);
             break;
+        case PracticeKind::kUndermine:
+            done = did_undermine(sight.undermine, i);
+            break;
         case PracticeKind::kRelease:
             done = !sight.holds[i];
             break;
@@ -286,6 +289,13 @@ bool PracticeTracker::did_wash(const WashSight* wash) noexcept {
     progress_ = std::clamp(kDryM3 / std::max(kDryM3, wash->standing_m3), 0.0, 1.0);
     if (wash->loose > 0) progress_ = std::min(progress_, 0.9);
     return dry && held_s_ >= step().hold_s;
+}
+
+/// Enough of the skin on the far side of the wound is free.
+bool PracticeTracker::did_undermine(const UndermineSight* undermine, size_t tool) noexcept {
+    if (undermine == nullptr) return true;  // nothing to undermine
+    progress_ = std::clamp(undermine->freed[tool] / kEnoughUndermined, 0.0, 1.0);
+    return progress_ >= 1;
 }
 
 /// Shut for a while, under as much pull as the step wants: edges that only swing together come

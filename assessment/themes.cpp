@@ -42,6 +42,9 @@ constexpr Prefix kPrefixes[]{
     {"wash_jet", Theme::kTissue},
     {"wash_suction", Theme::kTissue},
     {"wash_", Theme::kPrecision},
+    {"undermine_fascia", Theme::kTissue},
+    {"undermine_", Theme::kPrecision},
+    {"closing_", Theme::kPrecision},
     {"out_of_view", Theme::kPrecision},
     {"steps_", Theme::kSteps},
 };

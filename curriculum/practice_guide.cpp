@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "curriculum/undermine_watch.h"
 #include "sim/contact/slit_gap.h"
 
 namespace placode::curriculum {
@@ -77,7 +78,7 @@ int find_patch_targets(const sim::Scene& scene, const sim::State& settled, sim::
 int find_targets(const sim::Scene& scene, const sim::State& settled, const sim::PracticeStep& step,
                  std::array<sim::ContourAnchor, 2>& out) {
     if (sim::is_patch_step(step.kind)) return find_patch_targets(scene, settled, step.kind, out);
-    if (sim::is_wash_step(step.kind)) return 0;  // they change: WashWatch
+    if (sim::finds_targets(step.kind)) return 0;  // they change: WashWatch, undermine_watch.h
     int count = 0;
     for (int t = 0; t < sim::targets_of(step.kind); ++t) {
         const Vec2 wanted = assessment::practice_target(step, scene.geometry, t == 1);
@@ -153,6 +154,8 @@ void PracticeGuide::look(const sim::State& state) noexcept {
         goal_.target_m[t] = place_of(targets_[step][t], now);
     }
     if (sim::is_wash_step(goal_.step.kind) && wash_.there()) wash_.show(goal_);
+    if (goal_.step.kind == sim::PracticeKind::kUndermine && scene_->plane.present())
+        show_undermining(*scene_, state, goal_);
 }
 
 void PracticeGuide::look_at_needle(const sim::State& state,
@@ -180,11 +183,16 @@ std::span<const sim::Event> PracticeGuide::see(const sim::State& state,
     if (!tracker_) return {};
     look(state);
     assessment::PracticeSight sight{
-        sample, {goal_.target_m.data(), static_cast<size_t>(goal_.targets)},
-        {},     {},
-        {},     {},
-        -1,     nullptr,
-        nullptr};
+        sample,  {goal_.target_m.data(), static_cast<size_t>(goal_.targets)},
+        {},      {},
+        {},      {},
+        -1,      nullptr,
+        nullptr, nullptr};
+    assessment::UndermineSight undermine;
+    if (scene_->plane.present()) {
+        undermine = look_at_undermining(*scene_, state);
+        sight.undermine = &undermine;
+    }
     if (wash_.there()) {
         wash_.look(*scene_, state);
         sight.wash = &wash_.sight();

@@ -248,6 +248,18 @@ constexpr std::array<ByDevice, sim::kPracticeKinds> kHints{{
        "przycisk."},
       {"Down into the fluid at the ring, not onto tissue; press the blue pedal.",
        "W dół do płynu przy pierścieniu, nie na tkankę; naciśnij niebieski pedał."}}},
+    // kUndermine
+    {{{"Left button down, in below the lifted edge, raise the tip by 2 mm with the wheel; deeper.",
+       "Lewy przycisk, wejdź pod uniesiony brzeg, unieś końcówkę kółkiem o 2 mm; potem głębiej."},
+      {"Hold X, in below the lifted edge, raise the tip by 2 mm with R, F down; deeper.",
+       "Trzymaj X, wejdź pod uniesiony brzeg, R unosi końcówkę o 2 mm, F opuszcza; potem głębiej."},
+      {"Hold A, in below the lifted edge, raise the tip by 2 mm with the left trigger; deeper.",
+       "Trzymaj A, wejdź pod uniesiony brzeg, unieś końcówkę o 2 mm lewym spustem; potem głębiej."},
+      {"Left button down, in below the lifted edge, raise the tip by 2 mm with the cap; deeper.",
+       "Lewy przycisk, wejdź pod uniesiony brzeg, unieś końcówkę gałką o 2 mm; potem głębiej."},
+      {"Closed, in below the lifted edge; raise the tip and open a little, 2 mm; then deeper.",
+       "Zamknięty wejdź pod uniesiony brzeg; unieś końcówkę o 2 mm, trochę otwierając; potem "
+       "głębiej."}}},
 }};
 
 // The scope has devices of its own.

@@ -21,11 +21,22 @@ struct Case {
     double end_s;  ///< Until the instrument is at work; PLACODE_LONG_TESTS takes whole attempts.
 };
 constexpr Case kCases[]{
-    {"familiarisation", 12},     {"touch_targets", 6},       {"trace_contour", 6},
-    {"grasp_and_lift", 8},       {"two_handed_traction", 8}, {"diathermy_ring_small", 5},
-    {"diathermy_ring", 5},       {"scissors_resection", 9},  {"sb_dissection", 5},
-    {"sb_dissection_cystic", 5}, {"suture_bite", 6},         {"suture_run", 6},
-    {"suture_slit", 6},          {"patch_place", 8},         {"irrigate", 8},
+    {"familiarisation", 12},
+    {"touch_targets", 6},
+    {"trace_contour", 6},
+    {"grasp_and_lift", 8},
+    {"two_handed_traction", 8},
+    {"diathermy_ring_small", 5},
+    {"diathermy_ring", 5},
+    {"scissors_resection", 9},
+    {"sb_dissection", 5},
+    {"sb_dissection_cystic", 5},
+    {"suture_bite", 6},
+    {"suture_run", 6},
+    {"suture_slit", 6},
+    {"patch_place", 8},
+    {"irrigate", 8},
+    {"undermine", 8},
 };
 
 class FrameAllocation : public testing::TestWithParam<Case> {};

@@ -67,6 +67,7 @@ class AttemptMaker {
         if (is_row(kinds)) mark_bite(recording, 0, 0, 0);
         if (task.scene.patch) lay_patch(recording, 0);
         if (task.scene.irrigation) wash(recording, 0);
+        if (task.scene.plane) undermine(recording, 0);
         return recording;
     }
 
@@ -87,6 +88,10 @@ class AttemptMaker {
         if (has_wash(recording)) {
             std::erase_if(recording.events, is_of_wash);
             wash(recording, share);
+        }
+        if (has_plane(recording)) {
+            std::erase_if(recording.events, is_of_plane);
+            undermine(recording, share);
         }
         const int grasps = has_patch(recording) ? 0 : static_cast<int>(std::lround(share * 3));
         for (int i = 0; i < grasps; ++i) {
@@ -111,11 +116,11 @@ class AttemptMaker {
             &AttemptMaker::bury,          &AttemptMaker::stretch,      &AttemptMaker::jaws,
             &AttemptMaker::snip_skin,     &AttemptMaker::miss,         &AttemptMaker::cut_astray,
             &AttemptMaker::dawdle,        &AttemptMaker::look_away,    &AttemptMaker::stitch,
-            &AttemptMaker::shift_patch,   &AttemptMaker::wash_badly};
+            &AttemptMaker::shift_patch,   &AttemptMaker::wash_badly,   &AttemptMaker::dig};
         (this->*kinds[which])(recording);
         sort(recording);
     }
-    static constexpr size_t kHarms = 17;
+    static constexpr size_t kHarms = 18;
 
     /// Some of what is asked, some harm.
     sim::Recording some(const curriculum::Task& task) {
@@ -256,6 +261,42 @@ class AttemptMaker {
             e.value += static_cast<float>(more * most[what]);
             e.value2 += static_cast<float>(more * most2[what]);
             if (what == 2) e.value = std::min(e.value, 1.0F);
+        }
+    }
+
+    static bool is_of_plane(const Event& e) {
+        return e.kind == EventKind::kUndermined || e.kind == EventKind::kClosingTension;
+    }
+    static bool has_plane(const sim::Recording& recording) {
+        return std::any_of(recording.events.begin(), recording.events.end(), is_of_plane);
+    }
+    /// A square centimetre to be freed on each side, a bit more than enough of it when all is done.
+    static void undermine(sim::Recording& recording, double share) {
+        const auto told = [&](EventKind kind, int element, double left, double right) {
+            put(recording, kind, 30, left, right).element = element;
+        };
+        told(EventKind::kUndermined, -1, 4, 0);
+        told(EventKind::kUndermined, -2, 1e-4 * share, 1e-4 * share);
+        told(EventKind::kUndermined, -3, 1e-4, 1e-4);
+        told(EventKind::kUndermined, -4, 0.78e-4 * share, 0.78e-4 * share);
+        told(EventKind::kUndermined, -5, 0, 0);
+        for (int line = 0; line < 4; ++line)
+            put(recording, EventKind::kUndermined, 30, 0.008 * share, line % 2 == 0 ? 1 : -1,
+                0.002 * line, line % 2 == 0 ? 0.002 : -0.002)
+                .element = line;
+        told(EventKind::kClosingTension, -1, 23 * (1 - 0.3 * share), 23);
+    }
+    /// Too far, below the plane, or in vain.
+    void dig(sim::Recording& r) {
+        if (whole(0, 1) == 0) {
+            anywhere(r, EventKind::kTorn, number(1e-10, 8e-9), 2, sim::Tissue::kMuscle);
+            return;
+        }
+        const double more = number(0, 1);
+        for (Event& e : r.events) {
+            if (e.kind == EventKind::kUndermined && e.element == -5)
+                e.value += static_cast<float>(1e-4 * more);
+            if (e.kind == EventKind::kClosingTension) e.value += static_cast<float>(3 * more);
         }
     }
 

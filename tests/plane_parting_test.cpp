@@ -104,6 +104,15 @@ TEST(PlaneParting, WhatWasPartedIsCountedFromTheEdge) {
     EXPECT_GT(least, 0.002) << "up to an edge of the mesh less";
     EXPECT_LT(most, 0.006);
     EXPECT_NEAR(undermined_m2(pad(), state, 1), undermined_m2(pad(), state, -1), 1e-5);
+    // Of what is to be freed, straight beside the wound, about half; nothing too far.
+    for (const int side : {1, -1}) {
+        const UnderminedArea area = undermined_area(pad(), state, side);
+        EXPECT_NEAR(area.wanted_m2, 0.012 * DissectionPlane::kWantedM, 0.2 * area.wanted_m2);
+        EXPECT_NEAR(area.freed_m2, 0.5 * area.wanted_m2, 0.15 * area.wanted_m2);
+        EXPECT_EQ(area.beyond_m2, 0);
+    }
+    test::part_within(pad(), state, 0.020);
+    EXPECT_GT(undermined_area(pad(), state, 1).beyond_m2, 0);
     // Nothing falls apart.
     frames(state, 100);
     EXPECT_EQ(state.pieces.out, 0);

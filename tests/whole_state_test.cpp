@@ -36,10 +36,11 @@ std::vector<Case> cases() {
                 {"scissors_resection", 16, 16.5, true},
                 {"suture_slit", 7, 7.2, true}};
     std::vector<Case> all;
-    for (const char* task : {"familiarisation", "touch_targets", "trace_contour", "grasp_and_lift",
-                             "two_handed_traction", "diathermy_ring_small", "diathermy_ring",
-                             "scissors_resection", "sb_dissection", "sb_dissection_cystic",
-                             "suture_bite", "suture_run", "suture_slit", "patch_place", "irrigate"})
+    for (const char* task :
+         {"familiarisation", "touch_targets", "trace_contour", "grasp_and_lift",
+          "two_handed_traction", "diathermy_ring_small", "diathermy_ring", "scissors_resection",
+          "sb_dissection", "sb_dissection_cystic", "suture_bite", "suture_run", "suture_slit",
+          "patch_place", "irrigate", "undermine"})
         all.push_back({task, 6, 16});
     return all;
 }

@@ -13,6 +13,7 @@
 #include "haptics/operators/practice_operator.h"
 #include "haptics/operators/resection_operator.h"
 #include "haptics/operators/suture_operator.h"
+#include "haptics/operators/undermine_operator.h"
 
 namespace placode::haptics {
 
@@ -66,6 +67,12 @@ std::unique_ptr<ScriptedOperator> open_operator(const DeviceConfig& config, Oper
         const auto grasper = static_cast<size_t>(tools.grasper);
         return std::make_unique<PatchOperator>(level, config.seed, grasper, homes_m[grasper]);
     }
+    std::vector<size_t> spreading;
+    for (size_t i = 0; i < config.tools.size(); ++i)
+        if (config.tools[i].jaws_spread) spreading.push_back(i);
+    if (spreading.size() == 2)
+        return std::make_unique<UndermineOperator>(
+            level, config.seed, std::array{spreading[0], spreading[1]}, config.tools, homes_m);
     if (config.practice) {
         return std::make_unique<PracticeOperator>(level, config.seed, config.tools, homes_m);
     }

@@ -325,7 +325,8 @@ void PracticeOperator::do_step(double dt_s) noexcept {
             case PracticeKind::kPatchSpread:
             case PracticeKind::kWash:  // and so has irrigation
             case PracticeKind::kSuck:
-            case PracticeKind::kNeedleIn:  // and so have sutures
+            case PracticeKind::kUndermine:  // and undermining
+            case PracticeKind::kNeedleIn:   // and so have sutures
             case PracticeKind::kNeedleOut:
             case PracticeKind::kNeedleTake:
             case PracticeKind::kNeedleThrough:

@@ -45,6 +45,7 @@ class PlaneMaker {
             add_ray(static_cast<int32_t>(s), 1, station.left[0], station.right[0]);
             add_ray(static_cast<int32_t>(s), -1, station.right[0], station.left[0]);
         }
+        mark_faces();
         return std::move(plane_);
     }
 
@@ -125,6 +126,22 @@ class PlaneMaker {
             ray.stretches.back().until_m = static_cast<float>(way + kRayStepM / 2);
         }
         plane_.rays.push_back(std::move(ray));
+    }
+
+    /// What is to be freed lies straight beside the wound, not beyond its tips.
+    void mark_faces() {
+        std::vector<double> away(plane_.faces.size(), 1);
+        for (size_t i = 0; i < plane_.faces.size(); ++i)
+            for (const DissectionPlane::Ray& ray : plane_.rays)
+                away[i] =
+                    std::min(away[i], (plane_.faces[i].middle_m - ray.edge_m).head<2>().norm());
+        for (const DissectionPlane::Ray& ray : plane_.rays)
+            for (const DissectionPlane::Stretch& s : ray.stretches) {
+                const auto i = static_cast<size_t>(s.face);
+                plane_.faces[i].wanted = away[i] <= DissectionPlane::kWantedM;
+            }
+        for (size_t i = 0; i < plane_.faces.size(); ++i)
+            plane_.faces[i].beyond = away[i] > DissectionPlane::kMostM;
     }
 
     const OperativeFieldSpec& spec_;

@@ -141,7 +141,9 @@ enum class EventKind : uint16_t {
     kUndermined = 110,  ///< one for each line from a station of the slit outwards: value = how far
                         ///< the skin is undermined there [m], value2 = side (1 left, -1 right),
                         ///< element = line, rest_position = the edge. Element -1: value = number
-                        ///< of lines; -2: value, value2 = area undermined left, right [m^2]
+                        ///< of lines; -2: value, value2 = area undermined left, right [m^2];
+                        ///< -3: the same of what is to be freed, -4: of that what is free; -5:
+                        ///< free beyond what may be
     kClosingTension = 111,  ///< pull of the edges at the midline: value = now, value2 = before
                             ///< anything was done [N/m], element = station of the slit,
                             ///< rest_position = its middle; -1 = of all

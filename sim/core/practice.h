@@ -34,9 +34,10 @@ enum class PracticeKind : uint8_t {
     kPatchLay,       ///< It lies so that it reaches `distance_m` beyond the placode's edge.
     kPatchSpread,    ///< Nobody holds it, it lies so, and flat, for `hold_s`.
     kWash,           ///< The jet has loosened all debris.
-    kSuck            ///< Nothing floats any more and the field is dry, for `hold_s`.
+    kSuck,           ///< Nothing floats any more and the field is dry, for `hold_s`.
+    kUndermine       ///< Skin on the side away from the hand's port has come off the fascia.
 };
-inline constexpr int kPracticeKinds = 21;
+inline constexpr int kPracticeKinds = 22;
 inline constexpr int kMaxPracticeSteps = 24;
 inline constexpr int kTraceBins = 72;  ///< Of the planned contour, by arc length.
 
@@ -89,7 +90,7 @@ struct PracticeGoal {
 
 /// Its targets are found while it is done; a task names no places for it.
 [[nodiscard]] constexpr bool finds_targets(PracticeKind kind) noexcept {
-    return is_patch_step(kind) || is_wash_step(kind);
+    return is_patch_step(kind) || is_wash_step(kind) || kind == PracticeKind::kUndermine;
 }
 
 /// Places that the picture shows for a step.
@@ -102,6 +103,7 @@ struct PracticeGoal {
         case PracticeKind::kPatchTake:
         case PracticeKind::kWash:
         case PracticeKind::kSuck:
+        case PracticeKind::kUndermine:
             return 1;
         case PracticeKind::kTraction:
         case PracticeKind::kNeedleIn:

@@ -114,4 +114,18 @@ double undermined_m2(const Scene& scene, const State& state, int side) noexcept 
     return area;
 }
 
+UnderminedArea undermined_area(const Scene& scene, const State& state, int side) noexcept {
+    UnderminedArea sum;
+    for (size_t i = 0; i < scene.plane.faces.size(); ++i) {
+        const DissectionPlane::Face& face = scene.plane.faces[i];
+        if (face.side != side || !(face.wanted || face.beyond)) continue;
+        const auto area = static_cast<double>(face.area_m2);
+        const bool parted = is_parted(scene, state, static_cast<int>(i));
+        if (face.wanted) sum.wanted_m2 += area;
+        if (face.wanted && parted) sum.freed_m2 += area;
+        if (face.beyond && parted) sum.beyond_m2 += area;
+    }
+    return sum;
+}
+
 }  // namespace placode::sim

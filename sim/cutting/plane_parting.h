@@ -35,4 +35,13 @@ void part_plane(const Scene& scene, State& state) noexcept;
 /// Parted area on one side of the slit (1 = left, -1 = right), at rest [m^2].
 [[nodiscard]] double undermined_m2(const Scene& scene, const State& state, int side) noexcept;
 
+/// Areas on one side of the slit, at rest [m^2].
+struct UnderminedArea {
+    double wanted_m2 = 0;  ///< To be freed,
+    double freed_m2 = 0;   ///< and of that free.
+    double beyond_m2 = 0;  ///< Free farther from the edges than skin may be freed.
+};
+[[nodiscard]] UnderminedArea undermined_area(const Scene& scene, const State& state,
+                                             int side) noexcept;
+
 }  // namespace placode::sim

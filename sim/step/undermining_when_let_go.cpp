@@ -33,6 +33,11 @@ void add_depths(const Scene& scene, const State& state, std::vector<Event>& even
     events.push_back(entry(EventKind::kUndermined, -1, static_cast<double>(rays.size()), 0));
     events.push_back(entry(EventKind::kUndermined, -2, undermined_m2(scene, state, 1),
                            undermined_m2(scene, state, -1)));
+    const UnderminedArea left = undermined_area(scene, state, 1),
+                         right = undermined_area(scene, state, -1);
+    events.push_back(entry(EventKind::kUndermined, -3, left.wanted_m2, right.wanted_m2));
+    events.push_back(entry(EventKind::kUndermined, -4, left.freed_m2, right.freed_m2));
+    events.push_back(entry(EventKind::kUndermined, -5, left.beyond_m2, right.beyond_m2));
     for (size_t i = 0; i < rays.size(); ++i) {
         const int ray = static_cast<int>(i);
         events.push_back(

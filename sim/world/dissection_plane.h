@@ -19,6 +19,8 @@ struct DissectionPlane {
         std::array<int32_t, 3> above{};  ///< Tets of the prism; the first has the face,
         int8_t face = 0;                 ///< opposite to this corner of it.
         int8_t side = 0;                 ///< Of the slit: 1 = left, -1 = right.
+        bool wanted = false;             ///< Below a line from an edge, within kWantedM of it.
+        bool beyond = false;             ///< Farther than kMostM from the edges.
         float area_m2 = 0;               ///< At rest.
         Vec3 middle_m = Vec3::Zero();    ///< At rest, on the plane.
     };
@@ -36,6 +38,9 @@ struct DissectionPlane {
         std::vector<Stretch> stretches;
     };
     static constexpr double kMostReachM = 0.020;  ///< Of a ray.
+    /// So far from the edges skin is to be freed, and no farther than the second. Planning values
+    /// of a pad; in theatre it is 10 to 20 mm.
+    static constexpr double kWantedM = 0.008, kMostM = 0.013;
 
     double strength_pa = 0;  ///< Traction at which it parts.
     std::vector<Face> faces;

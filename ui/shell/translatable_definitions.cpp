@@ -303,6 +303,24 @@ namespace {
                       "Time in which tissue took more than half of the suction."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Time in which the placode took more than half of the suction."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Share of the area to be freed beside the wound, on its left, that has come "
+                      "off the fascia."),
+    QT_TRANSLATE_NOOP("MetricDefinition", "The same on its right."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "From the edges of the wound outwards to what still holds, mean of all lines."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Area that has come off the fascia farther from the edges than skin may be freed."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Undeformed volume of elements of fascia and muscle torn by stretch."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Force over length with which the edges of the untouched wound pull when "
+                      "they are drawn to the midline."),
+    QT_TRANSLATE_NOOP("MetricDefinition", "The same at the end, hands off."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Tension to close at the end over that of the untouched wound."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that the needle slid or turned in the jaws."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that jaws took the needle after the first."),
     QT_TRANSLATE_NOOP("MetricDefinition",

@@ -34,7 +34,8 @@ std::string Overlay::amount_text() const {
     const StepAmount amount = step_amount(state_->practice.goal);
     if (amount.whole <= 0) return {};
     const PracticeKind kind = state_->practice.goal.step.kind;
-    if (kind == PracticeKind::kTrace || kind == PracticeKind::kPatchLay || is_wash_step(kind))
+    if (kind == PracticeKind::kTrace || kind == PracticeKind::kPatchLay || is_wash_step(kind) ||
+        kind == PracticeKind::kUndermine)
         return number(amount.done, amount.digits) + amount.unit;
     return number(amount.done, amount.digits) + " " + say("of") + " " +
            number(amount.whole, amount.digits) + amount.unit;

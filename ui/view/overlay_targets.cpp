@@ -44,7 +44,8 @@ void Overlay::targets() {
     const PracticeGoal& goal = state_->practice.goal;
     const bool both = goal.step.kind == PracticeKind::kTraction;
     // The needle's point has to come there, not the driver's tip.
-    const bool wash = is_wash_step(goal.step.kind);
+    const bool wash = is_wash_step(goal.step.kind),
+               freed = goal.step.kind == PracticeKind::kUndermine;
     const bool needle =
         goal.step.kind == PracticeKind::kNeedleIn || goal.step.kind == PracticeKind::kNeedleOut;
     if (needle && goal.bites > 1 && goal.targets == 2 && snapshot_->slit == 0) suture_line();
@@ -56,7 +57,7 @@ void Overlay::targets() {
         const Vec3 away =
             tool < 0 ? Vec3(Vec3::Zero())
                      : Vec3(1000 * snapshot_->tools[static_cast<size_t>(tool)].pose.p - mm);
-        const bool above = !state_->exam && !needle && !wash && tool >= 0 &&
+        const bool above = !state_->exam && !needle && !wash && !freed && tool >= 0 &&
                            away.head<2>().norm() <= 1000 * goal.step.tolerance_m;
         double radius = 0.7 * unit_;
         if (place_of(mm + 1000 * goal.step.tolerance_m * camera_->right, side))
@@ -77,6 +78,8 @@ void Overlay::targets() {
                   phrase(goal.step.kind == PracticeKind::kWash ? "washed off: %1" : "dry: %1",
                          amount_text()),
                   kText);
+        else if (freed)
+            label(px + Vec2(0, radius + 1.5 * unit_), phrase("freed: %1", amount_text()), kText);
         else if (tool >= 0 && !state_->exam)
             target_text(tool, px, radius, away, above);
     }

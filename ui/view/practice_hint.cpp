@@ -63,6 +63,8 @@ Symbols with_mouse(PracticeKind kind, bool scope) {
             return {left, {Thing::kMouseWheel, Act::kOut}, move, down};
         case PracticeKind::kPatchSpread:
             return {{Thing::kMouseLeft, Act::kRelease}, left, move};
+        case PracticeKind::kUndermine:
+            return {left, move, {Thing::kMouseWheel, Act::kOut}};
     }
     return {};
 }
@@ -118,6 +120,8 @@ Symbols with_keyboard(PracticeKind kind, bool scope) {
         case PracticeKind::kPatchSpread:
             return {
                 key("X", false, Act::kRelease), key("X"), key("W"), key("A"), key("S"), key("D")};
+        case PracticeKind::kUndermine:
+            return {key("X"), key("W"), key("R")};
     }
     return {};
 }
@@ -166,6 +170,8 @@ Symbols with_gamepad(PracticeKind kind) {
             return {key("A"), key("LT"), stick, key("RT")};
         case PracticeKind::kPatchSpread:
             return {key("A", false, Act::kRelease), key("A"), stick};
+        case PracticeKind::kUndermine:
+            return {key("A"), stick, key("LT")};
     }
     return {};
 }
@@ -223,6 +229,8 @@ Symbols with_grip(PracticeKind kind, Thing grip, HintSymbol close) {
             open.act = Act::kRelease;
             return {open, close, move};
         }
+        case PracticeKind::kUndermine:
+            return {close, move, {grip, Act::kOut}};
     }
     return {};
 }

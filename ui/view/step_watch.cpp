@@ -54,6 +54,7 @@ StepAmount step_amount(const PracticeGoal& goal) {
         case PracticeKind::kPatchLay:
         case PracticeKind::kWash:
         case PracticeKind::kSuck:
+        case PracticeKind::kUndermine:
             return {100 * share, 100, 0, " %"};
         case PracticeKind::kTouch:
         case PracticeKind::kCut:

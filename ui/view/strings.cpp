@@ -32,6 +32,7 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"as far as the line, all round", "aż do linii, dookoła"},
     {"washed off: %1", "spłukano: %1"},
     {"dry: %1", "odessano: %1"},
+    {"freed: %1", "uwolniono: %1"},
     {"irrigator", "irygator"},
     {"Jet presses on the placode", "Strumień uciska płytkę"},
     {"Suction holds tissue", "Ssak trzyma tkankę"},

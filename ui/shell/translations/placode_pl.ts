@@ -3209,6 +3209,38 @@
         <source>Suction on the placode</source>
         <translation>Ssak na płytce</translation>
     </message>
+    <message>
+        <source>Skin freed, left</source>
+        <translation>Uwolniona skóra, po lewej</translation>
+    </message>
+    <message>
+        <source>Skin freed, right</source>
+        <translation>Uwolniona skóra, po prawej</translation>
+    </message>
+    <message>
+        <source>Undermined depth</source>
+        <translation>Głębokość podminowania</translation>
+    </message>
+    <message>
+        <source>Undermined too far</source>
+        <translation>Podminowane za daleko</translation>
+    </message>
+    <message>
+        <source>Torn fascia</source>
+        <translation>Rozerwana powięź</translation>
+    </message>
+    <message>
+        <source>Tension to close, before</source>
+        <translation>Napięcie zamknięcia, przedtem</translation>
+    </message>
+    <message>
+        <source>Tension to close, after</source>
+        <translation>Napięcie zamknięcia, potem</translation>
+    </message>
+    <message>
+        <source>Tension to close, share left</source>
+        <translation>Napięcie zamknięcia, ile zostało</translation>
+    </message>
 </context>
 <context>
     <name>MetricWords</name>
@@ -3834,6 +3866,38 @@
     <message>
         <source>Time in which the placode took more than half of the suction.</source>
         <translation>Czas, w którym płytka przejmowała ponad połowę ssania.</translation>
+    </message>
+    <message>
+        <source>Share of the area to be freed beside the wound, on its left, that has come off the fascia.</source>
+        <translation>Część pola do uwolnienia po lewej stronie rany, która odeszła od powięzi.</translation>
+    </message>
+    <message>
+        <source>The same on its right.</source>
+        <translation>To samo po prawej.</translation>
+    </message>
+    <message>
+        <source>From the edges of the wound outwards to what still holds, mean of all lines.</source>
+        <translation>Od brzegów rany na zewnątrz do miejsca, które jeszcze trzyma, średnio ze wszystkich linii.</translation>
+    </message>
+    <message>
+        <source>Area that has come off the fascia farther from the edges than skin may be freed.</source>
+        <translation>Pole, które odeszło od powięzi dalej od brzegów, niż wolno uwalniać skórę.</translation>
+    </message>
+    <message>
+        <source>Undeformed volume of elements of fascia and muscle torn by stretch.</source>
+        <translation>Objętość (bez odkształcenia) elementów powięzi i mięśnia rozerwanych rozciąganiem.</translation>
+    </message>
+    <message>
+        <source>Force over length with which the edges of the untouched wound pull when they are drawn to the midline.</source>
+        <translation>Siła na długość, z jaką ciągną brzegi nietkniętej rany ściągnięte do linii środkowej.</translation>
+    </message>
+    <message>
+        <source>The same at the end, hands off.</source>
+        <translation>To samo na końcu, po puszczeniu.</translation>
+    </message>
+    <message>
+        <source>Tension to close at the end over that of the untouched wound.</source>
+        <translation>Napięcie zamknięcia na końcu wobec napięcia nietkniętej rany.</translation>
     </message>
 </context>
 <context>
