@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "haptics/hand_motion.h"
+#include "haptics/operators/hand_motion.h"
 
 namespace placode::haptics {
 
