@@ -184,6 +184,9 @@ std::optional<curriculum::ReplayVerdict> verify_attempt(Store& store, int64_t at
     if (of_this_build && problem) return keep({false, *problem});
     // What the row says of the recording, and who signed it, every build reads alike.
     if (!problem) {
+        if (kept.record.exam.begin != 0 && recording.header.mode != "exam")
+            return keep(
+                {false, Said::listed(QT_TRANSLATE_NOOP("Said", "it was not recorded as an exam"))});
         if (const auto differs = facts_that_differ(kept, recording)) return keep({false, *differs});
         if (const auto doubt = store.attempts().doubt_about(attempt_id, file->path))
             return keep({false, *doubt});

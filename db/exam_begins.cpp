@@ -3,9 +3,14 @@
 // Exams as they begin: what is asked is asked again in the transaction that writes the begin, so
 // that two stations cannot begin the last attempt both.
 
+#include <cstdlib>
+
 #include "curriculum/shipped_definitions.h"
+#include "curriculum/utc_time.h"
+#include "db/audit_check.h"
 #include "db/course_rows.h"
 #include "db/courses.h"
+#include "db/exam_check.h"
 #include "db/store_context.h"
 
 namespace placode::db {
@@ -38,6 +43,21 @@ void need_newest_task(StoreContext& context, const std::string& task_id, int new
                                     .with(shipped->version));
 }
 
+/// What would make the exam void is said before it is performed.
+void need_sound_station(StoreContext& context, const std::string& now_utc) {
+    const auto here = curriculum::utc_seconds(utc_now()), there = curriculum::utc_seconds(now_utc);
+    if (here && there && std::abs(*here - *there) > kClockAllowanceS)
+        context.connection.fail(Kind::kRefused,
+                                Said::that("the clocks of this computer and of the server differ; "
+                                           "an administrator sets them"));
+    const std::string key = context.station.public_key();  // Of a file's first computer: made.
+    if (!trusted_stations(context).contains(key))
+        context.connection.fail(
+            Kind::kRefused,
+            Said::that("nobody has vouched for this computer, so an exam would not count; an "
+                       "administrator does: placodectl station trust"));
+}
+
 }  // namespace
 
 int64_t Courses::begin_exam(int64_t user_id, const ExamOrder& order) {
@@ -48,6 +68,7 @@ int64_t Courses::begin_exam(int64_t user_id, const ExamOrder& order) {
     lock_exams(connection_, user_id);
     const UserRecord user = context_.need_owner(user_id);
     const std::string now = clock_of_store(connection_);
+    need_sound_station(context_, now);
     const CourseStanding standing =
         standing_from(context_, exam.course_id, user_id, course_rows(context_, user), now);
     if (const auto problem = why_no_exam(standing, exam.stage_id))

@@ -102,7 +102,8 @@ ExamCheck check_exam(StoreContext& context, const UserRecord& user, bool proctor
     const ExamBeginRecord* begin = begin_in(rows, result.exam);
     if (begin != nullptr)
         check.begin = begin->id;
-    else if (result.exam.begin != 0 || result.order || (own && !proctor))
+    else if (result.exam.begin != 0 || result.order ||
+             (own && (!proctor || context.connection.hides_passwords())))
         add(check, closed(QT_TRANSLATE_NOOP("Said", "it was not begun here, or is saved already")));
     if (check.doubts.empty()) add(check, closed_by_now(context, user, result, rows, begin, now));
     if (own || begin != nullptr) add(check, clock_doubt(result, begin, now));

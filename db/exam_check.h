@@ -23,7 +23,8 @@ struct ExamCheck {
 };
 
 /// Within the transaction that saves it. Of practice only the time is looked at. An import has no
-/// begin: somebody else than the examined person vouches for it, who saves it or is proctor.
+/// begin: somebody else than the examined person vouches for it, who saves it or, in a file, is
+/// proctor.
 /// @param proctor the attempt has one who may be it. Throws StoreError.
 [[nodiscard]] ExamCheck check_exam(StoreContext& context, const UserRecord& user, bool proctor,
                                    const AttemptResult& result);

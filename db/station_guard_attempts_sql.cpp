@@ -40,11 +40,14 @@ BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM placode_guard.insist(NEW.replayed_utc = '' AND NEW.generated_from = 0 AND NEW.replay =
             CASE WHEN NEW.exam_course <> '' OR NEW.study <> '' THEN waits ELSE 0 END);
-        -- An exam of one's own was begun here, or somebody watched who is named.
-        PERFORM placode_guard.insist(NEW.exam_course = '' OR NEW.void_reason <> '' OR NEW.proctor <> ''
-            OR NEW.account_id <> placode_guard.me() OR EXISTS (SELECT FROM public.exam_begins b
+        -- An exam of one's own is the one that was begun here: a proctor's name is anybody's word.
+        IF NEW.exam_course <> '' AND NEW.void_reason = '' AND NEW.account_id = placode_guard.me() THEN
+            PERFORM placode_guard.insist(EXISTS (SELECT FROM public.exam_begins b
                 WHERE b.id = NEW.exam_begin AND b.account_id = NEW.account_id AND b.course_id = NEW.exam_course
-                    AND b.stage_id = NEW.exam_stage));
+                    AND b.stage_id = NEW.exam_stage AND b.task_id = NEW.task_id AND b.seed = NEW.seed
+                    AND b.proctor = NEW.proctor AND abs(extract(epoch FROM
+                        NEW.started_utc::TIMESTAMPTZ - b.begun_utc::TIMESTAMPTZ)) <= 300 + least(NEW.duration_s, 7200)));
+        END IF;
         RETURN NEW;
     END IF;
     PERFORM placode_guard.insist(CASE
@@ -59,9 +62,10 @@ END $$
 CREATE OR REPLACE FUNCTION placode_guard.need_recording() RETURNS TRIGGER
 LANGUAGE plpgsql SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
 BEGIN
-    -- What a script did, broke off or is void counts for nobody.
-    PERFORM placode_guard.insist(placode_guard.trusted() OR NEW.void_reason <> '' OR NEW.end_reason = 4
-        OR NEW.demonstration = 1 OR EXISTS (SELECT FROM public.recordings r WHERE r.attempt_id = NEW.id));
+    -- What a script did, broke off or is void counts for nobody; but it may end an exam that was begun.
+    PERFORM placode_guard.insist(placode_guard.trusted() OR (NEW.exam_begin = 0
+            AND (NEW.void_reason <> '' OR NEW.end_reason = 4 OR NEW.demonstration = 1))
+        OR EXISTS (SELECT FROM public.recordings r WHERE r.attempt_id = NEW.id));
     RETURN NULL;
 END $$
 --

@@ -347,6 +347,7 @@ TEST_F(Evidence, WhatTheStoreHoldsOfAnAttemptIsComparedWithItsRecording) {
         {"UPDATE attempts SET demonstration = 0", "demonstration 0, not 1"},
         {"UPDATE attempts SET task_id = 'diathermy_ring'", "task_id "},
         {"UPDATE attempts SET final_hash = '7'", "final_hash"},
+        {"UPDATE attempts SET exam_begin = 1", "it was not recorded as an exam"},
         {"UPDATE attempt_metrics SET value = value + 1 WHERE position = 2",
          "attempt_metrics, position 2"},
         {"DELETE FROM attempt_metrics WHERE position = 3", "attempt_metrics, position 3"},

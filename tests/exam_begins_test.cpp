@@ -292,6 +292,25 @@ TEST_P(ExamBegins, ABeginIsSealed) {
     EXPECT_THAT(problems.front(), HasSubstr("user " + std::to_string(anna) + " was changed"));
 }
 
+TEST_P(ExamBegins, ACertificateThatSqlAddedShowsNowhereBeforeTheCourseIsMastered) {
+    ASSERT_TRUE(raw().run(
+        "INSERT INTO certificates (account_id, course_id, course_version, mastered_utc, "
+        "issued_utc, issued_by, code) VALUES (" +
+        std::to_string(anna) +
+        ", 'short', 1, '2026-01-01T00:00:00Z', '2026-01-01T00:00:00Z', 'user 2', 'ABCD')"));
+    EXPECT_FALSE(db::course_standing(*store, anna, "short", db::utc_now()).certificate);
+    EXPECT_THAT(
+        failure_of([&] { (void)store->courses().save_certificate(anna, "short", 1); }).what(),
+        HasSubstr("the course is not mastered"));
+}
+
+TEST_P(ExamBegins, NoneBeginsAtAComputerThatNobodyVouchedFor) {
+    ::setenv("PLACODE_STATION_KEY", folder.file("other.key").c_str(), 1);
+    store = open();
+    EXPECT_THAT(failure_of([&] { (void)begun(); }).what(), HasSubstr("nobody has vouched"));
+    EXPECT_TRUE(store->courses().exam_begins(anna).empty());
+}
+
 /// A store from before there were begins.
 TEST(ExamBeginsOfOldStores, AnOldStoreOpensAndItsExamsStayAsTheyWere) {
     TemporaryFolder folder;

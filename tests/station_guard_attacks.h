@@ -145,6 +145,12 @@ inline constexpr std::array kGuardAttacks{
     PLACODE_FORGED_BY("2", "1",
                       ", exam_course, exam_course_version, exam_stage, exam_begin, replay",
                       ", 'x', 1, 'y', 1, 1"),
+    PLACODE_FORGED_BY("2", "1", ", exam_course, exam_course_version, exam_stage, proctor, replay",
+                      ", 'x', 1, 'y', 'user 1', 1"),
+    // Ones that were begun, taken back.
+    PLACODE_FORGED_BY(
+        "2", "0", ", exam_course, exam_course_version, exam_stage, exam_begin, void_reason",
+        ", 'x', 1, 'y', 1, 'The computer was too slow: 1 picture a second, 20 are needed'"),
     "BEGIN; SET CONSTRAINTS ALL DEFERRED; " PLACODE_FORGED("", "") "; COMMIT",
     "BEGIN; " PLACODE_FORGED_BY("2", "1", "", "") "; UPDATE attempts SET replay = 2",
     "BEGIN; " PLACODE_FORGED_BY("2", "1", "", "") "; UPDATE attempts SET demonstration = 0",

@@ -9,6 +9,14 @@
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
+namespace {
+
+QString used_up() {
+    return MainWindow::tr(
+        "It used up this attempt of the exam. An educator can grant another one.");
+}
+
+}  // namespace
 
 Place MainWindow::placeOf(const AttemptOrder& order) {
     if (order.study.isEmpty()) return {PageId::kTask, 0, order.task, {}};
@@ -38,17 +46,19 @@ void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
     // Exit status 2 before the first frame: bad input, e.g. a device that is not there.
     const bool never_began =
         !ending.crashed && ending.exit_code == 2 && context_.launcher().status().time_s <= 0;
+    // Of an exam nothing is asked: its case was seen, however it ended. An educator may grant
+    // another attempt.
+    const bool exam = ending.order.mode() == curriculum::AttemptMode::kExam;
     if (never_began || !QFile::exists(ending.order.recording_file)) {
         remove_recording(ending.order.recording_file);
-        context_.report(simulator_problem(
-            {ending.crashed, ending.exit_code, false, ending.order.device, ending.message}));
+        Problem problem = simulator_problem(
+            {ending.crashed, ending.exit_code, false, ending.order.device, ending.message});
+        if (exam) problem.way_out = used_up();
+        context_.report(problem);
         if (waiting) leaveRunning(ending.order);
         return;
     }
     const bool broke = (ending.crashed || ending.exit_code != 0) && !ending.asked;
-    // Of an exam nothing is asked: its case was seen, however it ended. An educator may grant
-    // another attempt.
-    const bool exam = ending.order.mode() == curriculum::AttemptMode::kExam;
     if (broke && exam) {
         Problem problem = simulator_problem(
             {ending.crashed, ending.exit_code, true, ending.order.device, ending.message});
@@ -90,7 +100,9 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
                 return;
             }
             if (saved->outcome == Saving::kEmpty) {
-                notices_->showNotice(tr("The attempt was left before it began; nothing was kept."));
+                QString what = tr("The attempt was left before it began; nothing was kept.");
+                if (ending.order.mode() == curriculum::AttemptMode::kExam) what += " " + used_up();
+                notices_->showNotice(what);
                 if (waiting) leaveRunning(ending.order);
                 return;
             }

@@ -107,10 +107,16 @@ void TaskExam::prepare(AttemptOrder& order, bool haptic) {
     const db::ExamOrder ready = db::prepare_exam(
         context_.store(), context_.user().id, course_, stage_->id,
         proctor ? proctor->login : std::string(), haptic ? device : std::string(), exam_now_utc());
-    // What cannot start uses up nothing.
+    // What is known not to start uses up nothing.
     const AttemptLauncher& launcher = context_.launcher();
     if (launcher.program().isEmpty())
         throw LaunchError(LaunchError::Kind::kMissing, simulator_missing(launcher.options()));
+    if (launcher.running())
+        throw LaunchError(LaunchError::Kind::kBusy,
+                          "another attempt is still running; stop it first");
+    AttemptOrder trial = order;
+    write_order(trial, context_.recordingsFolder());  // A full disk shows here.
+    remove_recording(trial.recording_file);
     order.exam = db::begin_exam(context_.store(), context_.user().id, ready).context;
     // The file that lies beside the recording names nobody.
     if (proctor) order.exam.proctor = "user " + std::to_string(proctor->id);

@@ -6465,6 +6465,10 @@
         <translation>Zacznij od nowa</translation>
     </message>
     <message>
+        <source>It used up this attempt of the exam. An educator can grant another one.</source>
+        <translation>To zużyło tę próbę egzaminu. Osoba prowadząca może przyznać następną.</translation>
+    </message>
+    <message>
         <source>The attempt was left before it began; nothing was kept.</source>
         <translation>Próba została opuszczona, zanim się zaczęła; nic nie zapisano.</translation>
     </message>
@@ -11123,6 +11127,18 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>another case is due by now; open the exam again</source>
         <translation>teraz kolej na inny przypadek; otwórz egzamin ponownie</translation>
+    </message>
+    <message>
+        <source>the clocks of this computer and of the server differ; an administrator sets them</source>
+        <translation>zegary tego komputera i serwera się różnią; administrator je ustawi</translation>
+    </message>
+    <message>
+        <source>nobody has vouched for this computer, so an exam would not count; an administrator does: placodectl station trust</source>
+        <translation>nikt nie poręczył za ten komputer, więc egzamin by się nie liczył; robi to administrator: placodectl station trust</translation>
+    </message>
+    <message>
+        <source>it was not recorded as an exam</source>
+        <translation>nie nagrano tego jako egzaminu</translation>
     </message>
     <message>
         <source>another case is due by now</source>
