@@ -46,9 +46,9 @@ void note(const Event& e, Bite& bite) {
 }
 
 double across_m(const Bite& bite, const Vec3& place) {
-    const Vec3 way = bite.mark_in_m - bite.mark_out_m;
-    if (way.squaredNorm() < 1e-12) return 0;  // marks at one place have no line between them
-    return (place - bite.planned_middle_m()).dot(way.normalized());
+    const Vec3 offset = bite.mark_in_m - bite.mark_out_m;
+    if (offset.squaredNorm() < 1e-12) return 0;  // marks at one place have no line between them
+    return (place - bite.planned_middle_m()).dot(offset.normalized());
 }
 
 std::vector<double> pitches_m(const std::vector<Bite>& bites) {

@@ -111,7 +111,7 @@ void add_incision(const sim::Recording& recording, std::vector<Metric>& out) {
 void add_cutting_economy(const sim::Recording& recording, std::vector<Metric>& out) {
     const auto& line = recording.header.geometry.planned_contour;
     if (line.size() < 3) return;
-    double way = 0;
+    double path = 0;
     for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i) {
         const sim::ToolKind kind = recording.header.tools[i].kind;
         if (kind != sim::ToolKind::kNeedle && kind != sim::ToolKind::kHook) continue;
@@ -123,13 +123,13 @@ void add_cutting_economy(const sim::Recording& recording, std::vector<Metric>& o
                 ++sample;
             const sim::ToolSample& tool = recording.samples[sample].tools[i];
             if (tool.pedals != 0 && tool.in_contact != 0)
-                way += (track.position_m[k] - track.position_m[k - 1]).norm();
+                path += (track.position_m[k] - track.position_m[k - 1]).norm();
         }
     }
     // A way shorter than a millimetre says nothing.
-    if (way > 1e-3)
+    if (path > 1e-3)
         out.push_back(
-            {"cutting_economy", ring_cut_share(recording) * ClosedContour(line).length() / way});
+            {"cutting_economy", ring_cut_share(recording) * ClosedContour(line).length() / path});
 }
 
 }  // namespace placode::assessment

@@ -103,21 +103,21 @@ double exact_p(std::span<const double> ranks, size_t n1, double rank_sum) {
     size_t top = 0;
     for (const double rank : ranks) top += static_cast<size_t>(std::lround(2 * rank));
     // probability[j][s]: j values chosen so far with doubled rank sum s; scaled to stay finite.
-    std::vector<std::vector<double>> ways(n1 + 1, std::vector<double>(top + 1, 0.0));
-    ways[0][0] = 1;
+    std::vector<std::vector<double>> orders(n1 + 1, std::vector<double>(top + 1, 0.0));
+    orders[0][0] = 1;
     for (const double rank : ranks) {
         const auto step = static_cast<size_t>(std::lround(2 * rank));
         for (size_t j = n1; j-- > 0;) {
-            for (size_t s = 0; s + step <= top; ++s) ways[j + 1][s + step] += ways[j][s];
+            for (size_t s = 0; s + step <= top; ++s) orders[j + 1][s + step] += orders[j][s];
         }
     }
-    const double total = std::accumulate(ways[n1].begin(), ways[n1].end(), 0.0);
+    const double total = std::accumulate(orders[n1].begin(), orders[n1].end(), 0.0);
     const double expected =
         static_cast<double>(n1) * (static_cast<double>(ranks.size()) + 1);  // doubled
     const double distance = std::abs(2 * rank_sum - expected) - 1e-9;
     double extreme = 0;
     for (size_t s = 0; s <= top; ++s) {
-        if (std::abs(static_cast<double>(s) - expected) >= distance) extreme += ways[n1][s];
+        if (std::abs(static_cast<double>(s) - expected) >= distance) extreme += orders[n1][s];
     }
     return std::min(1.0, extreme / total);
 }

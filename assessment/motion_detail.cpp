@@ -51,7 +51,7 @@ std::vector<double> hand_speed(const std::vector<Held>& held, sim::Hand hand, Sp
     return speed;
 }
 
-std::vector<double> way_speed(const Track& track) { return track.speed_m_s; }
+std::vector<double> tip_speed(const Track& track) { return track.speed_m_s; }
 std::vector<double> turn_speed(const Track& track) {
     return angular_speed(track.orientation, track.dt_s);
 }
@@ -85,9 +85,9 @@ void add_economy(const std::vector<Held>& held, std::vector<Metric>& out) {
         const std::span<const Vec3> velocity = one.track.velocity_m_s;
         for (const auto& [first, last] : movement_segments(one.track.speed_m_s, one.track.dt_s,
                                                            kSegmentMmS * 1e-3, kSegmentShortestS)) {
-            const auto way = std::span(one.track.position_m).subspan(first, last - first);
-            straight += (way.back() - way.front()).norm();
-            moved += path_length(way);
+            const auto places = std::span(one.track.position_m).subspan(first, last - first);
+            straight += (places.back() - places.front()).norm();
+            moved += path_length(places);
             if (const auto jerk =
                     normalised_jerk(velocity.subspan(first, last - first), 1 / one.track.dt_s))
                 jerks.push_back(*jerk);
@@ -126,8 +126,8 @@ void add_turning_together(const std::vector<Held>& held, std::vector<Metric>& ou
 }
 
 void add_hands(const std::vector<Held>& held, std::vector<Metric>& out) {
-    std::vector<double> right = hand_speed(held, sim::Hand::kRight, way_speed),
-                        left = hand_speed(held, sim::Hand::kLeft, way_speed);
+    std::vector<double> right = hand_speed(held, sim::Hand::kRight, tip_speed),
+                        left = hand_speed(held, sim::Hand::kLeft, tip_speed);
     const size_t n = std::min(right.size(), left.size());
     if (n < 2) return;
     right.resize(n);

@@ -19,13 +19,13 @@ sim::Vec2 practice_target(const sim::PracticeStep& step, const sim::FieldGeometr
     const auto& line = geometry.planned_contour;
     // +x is up and +y is left in the picture, so the clock runs from +x towards -y.
     const double angle = -2 * std::numbers::pi * (second ? step.hour_left : step.hour) / 12;
-    const sim::Vec2 way(std::cos(angle), std::sin(angle));
-    if (line.empty()) return 0.008 * way;
+    const sim::Vec2 offset(std::cos(angle), std::sin(angle));
+    if (line.empty()) return 0.008 * offset;
     sim::Vec2 centre = sim::Vec2::Zero(), best = line[0].head<2>();
     for (const sim::Vec3& p : line) centre += p.head<2>() / static_cast<double>(line.size());
     double along = -2;
     for (const sim::Vec3& p : line) {
-        const double here = (p.head<2>() - centre).normalized().dot(way);
+        const double here = (p.head<2>() - centre).normalized().dot(offset);
         if (here <= along) continue;
         along = here;
         best = p.head<2>();

@@ -105,9 +105,9 @@ bool PracticeTracker::did_grasp(const PracticeSight& sight, int index) noexcept 
                       (tip(tool) - sight.targets[0]).head<2>().norm() < step().tolerance_m;
     bool done = false;
     if (sight.holds[i] && !open_) {  // one grasp is one event, at the target or beside it
-        const double way =
+        const double path =
             sight.targets.empty() ? 0 : (tip(tool) - sight.targets[0]).head<2>().norm();
-        emit(near ? sim::EventKind::kTargetTouched : sim::EventKind::kTargetMissed, index_, way,
+        emit(near ? sim::EventKind::kTargetTouched : sim::EventKind::kTargetMissed, index_, path,
              index, tip(tool));
         done = near;
     }
@@ -118,15 +118,15 @@ bool PracticeTracker::did_grasp(const PracticeSight& sight, int index) noexcept 
 
 bool PracticeTracker::did_motion(const sim::ToolSample& tool) noexcept {
     if (!has_last_) return false;
-    const sim::Vec3 way = tip(tool) - tip(last_);
+    const sim::Vec3 offset = tip(tool) - tip(last_);
     const sim::Vec3 shaft = turn(tool) * sim::Vec3::UnitZ();
     double whole = step().distance_m;
     if (step().kind == PracticeKind::kMove) {
-        amount_ += (way - way.dot(shaft) * shaft).norm();
+        amount_ += (offset - offset.dot(shaft) * shaft).norm();
     } else if (step().kind == PracticeKind::kDepth) {
         // What goes mostly sideways is not pushed, though a part of it lies along the shaft.
-        const double along = std::abs(way.dot(shaft));
-        if (along >= kAlongShaft * way.norm()) amount_ += along;
+        const double along = std::abs(offset.dot(shaft));
+        if (along >= kAlongShaft * offset.norm()) amount_ += along;
     } else {
         // Twist about the shaft between the samples.
         const sim::Quat change = turn(last_).conjugate() * turn(tool);
@@ -141,12 +141,12 @@ bool PracticeTracker::did_motion(const sim::ToolSample& tool) noexcept {
 bool PracticeTracker::did_touch(const PracticeSight& sight, int index) noexcept {
     if (sight.targets.empty()) return true;
     const sim::ToolSample& tool = sight.sample.tools[static_cast<size_t>(index)];
-    const double way = (tip(tool) - sight.targets[0]).head<2>().norm();
-    const bool near = way <= step().tolerance_m;
+    const double path = (tip(tool) - sight.targets[0]).head<2>().norm();
+    const bool near = path <= step().tolerance_m;
     const bool touches = tool.in_contact != 0;
     // A touch counts when it begins; what slides onto the target afterwards has missed it.
     if (touches && !touched_)
-        emit(near ? sim::EventKind::kTargetTouched : sim::EventKind::kTargetMissed, index_, way,
+        emit(near ? sim::EventKind::kTargetTouched : sim::EventKind::kTargetMissed, index_, path,
              index, tip(tool));
     touched_ = touches;
     const uint8_t pedal = step().kind == PracticeKind::kCut    ? sim::kPedalCut
@@ -305,8 +305,8 @@ bool PracticeTracker::did_draw(double slit_gap_m, double pull_n) noexcept {
     amount_ = std::max(amount_, slit_gap_m);
     const bool shut = slit_gap_m <= step().tolerance_m, taut = pull_n >= step().low_n;
     held_s_ = shut && taut ? held_s_ + dt_ : 0;
-    const double way = amount_ - step().tolerance_m, half = step().low_n > 0 ? 0.5 : 1;
-    progress_ = !shut  ? half * std::clamp((amount_ - slit_gap_m) / way, 0.0, 1.0)
+    const double path = amount_ - step().tolerance_m, half = step().low_n > 0 ? 0.5 : 1;
+    progress_ = !shut  ? half * std::clamp((amount_ - slit_gap_m) / path, 0.0, 1.0)
                 : taut ? 1
                        : half + half * pull_n / step().low_n;
     const bool eased = eased_off(slit_gap_m, pull_n);

@@ -33,22 +33,22 @@ double sign(double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; }
 
 /// Exact two-sided p of the sum of signed ranks: every sign pattern is equally likely.
 double exact_signed_rank_p(std::span<const double> ranks, double v) {
-    std::vector<double> ways{1.0};  // ways[s]: patterns whose positive ranks sum to s / 2
+    std::vector<double> chances{1.0};  // chances[s]: patterns whose positive ranks sum to s / 2
     double total_half = 0;
     for (const double rank : ranks) {
         const auto step = static_cast<size_t>(std::lround(2 * rank));
-        std::vector<double> next(ways.size() + step, 0.0);
-        for (size_t s = 0; s < ways.size(); ++s) {
-            next[s] += ways[s] / 2;
-            next[s + step] += ways[s] / 2;
+        std::vector<double> next(chances.size() + step, 0.0);
+        for (size_t s = 0; s < chances.size(); ++s) {
+            next[s] += chances[s] / 2;
+            next[s + step] += chances[s] / 2;
         }
-        ways.swap(next);
+        chances.swap(next);
         total_half += rank;
     }
     const double distance = std::abs(2 * v - total_half) - 1e-9;  // in units of half ranks
     double p = 0;
-    for (size_t s = 0; s < ways.size(); ++s) {
-        if (std::abs(static_cast<double>(s) - total_half) >= distance) p += ways[s];
+    for (size_t s = 0; s < chances.size(); ++s) {
+        if (std::abs(static_cast<double>(s) - total_half) >= distance) p += chances[s];
     }
     return std::min(1.0, p);
 }

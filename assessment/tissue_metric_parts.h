@@ -35,7 +35,7 @@ struct EventSum {
 void add_incision(const sim::Recording& recording, std::vector<Metric>& out);
 /// How much of the ring is cut, from the number that the picture showed, and its gaps.
 void add_ring(const sim::Recording& recording, std::vector<Metric>& out);
-/// Planned contour that is cut, over the tip's way with the pedal down and in contact.
+/// Planned contour that is cut, over the tip's path with the pedal down and in contact.
 void add_cutting_economy(const sim::Recording& recording, std::vector<Metric>& out);
 
 /// Peak and excessive force, and what was torn.

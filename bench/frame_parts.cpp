@@ -31,16 +31,16 @@ void move_hands(const sim::Scene& scene, const std::vector<sim::Vec3>& contour, 
         const bool scope = tool.kind == sim::ToolKind::kScope;
         // 3 mm/s along the contour where the hand moves.
         const bool moves = work == Work::kDrag || work == Work::kCut;
-        double way = moves ? 3e-6 * frame : 0;
+        double path = moves ? 3e-6 * frame : 0;
         size_t n = 0;
         sim::Vec3 target = contour.front();
         for (; n + 1 < contour.size(); ++n) {
             const double length = (contour[n + 1] - contour[n]).norm();
-            if (way < length) {
-                target = contour[n] + way / length * (contour[n + 1] - contour[n]);
+            if (path < length) {
+                target = contour[n] + path / length * (contour[n + 1] - contour[n]);
                 break;
             }
-            way -= length;
+            path -= length;
         }
         const double down = std::min(0.0003, 2e-5 * frame - 0.0005);
         target.z() -= work == Work::kAway ? -0.010 : down;

@@ -111,10 +111,10 @@ void throw_about(SutureStage& stage, sim::SplitMix64& random, int64_t frames) {
         const sim::Quat to = (turn * now.q).normalized();
         const double jaw = random.uniform(0, 1) < 0.1 ? kOpenRad : 0;
         const bool engaged = random.uniform(0, 1) < 0.95;
-        const int way = 20 + static_cast<int>(random.uniform(0, 400));
+        const int path = 20 + static_cast<int>(random.uniform(0, 400));
         const Pose from = now;
-        for (int n = 1; n <= way && done < frames; ++n, ++done) {
-            const double share = static_cast<double>(n) / way;
+        for (int n = 1; n <= path && done < frames; ++n, ++done) {
+            const double share = static_cast<double>(n) / path;
             now = {from.p + share * (goal - from.p), from.q.slerp(share, to)};
             stage.hand(now, jaw, engaged);
             stage.frame();

@@ -152,7 +152,7 @@ class Row {
         const Vec3 last =
             place_of(tissue, thread.passages[static_cast<size_t>(thread.passage_count - 1)].at);
         thread.pieces[static_cast<size_t>(thread.channel_count)].stretch_m +=
-            sim::thread_way_m(last, swage_m(suture, needle));
+            sim::thread_path_m(last, swage_m(suture, needle));
     }
 
     const sim::Scene& scene_;

@@ -103,8 +103,8 @@ double SutureStage::farthest() const {
             // Copies that cuts and tears made began at another vertex's place.
             const auto n = static_cast<size_t>(v);
             if (n >= at_rest_.size() || body.free_vertex[n] != 0) continue;
-            const double way = (to_vec(body.x[n]) - to_vec(at_rest_[n])).norm();
-            most = std::isfinite(way) ? std::max(most, way) : 1;
+            const double path = (to_vec(body.x[n]) - to_vec(at_rest_[n])).norm();
+            most = std::isfinite(path) ? std::max(most, path) : 1;
         }
     }
     return most;

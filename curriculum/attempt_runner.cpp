@@ -78,7 +78,7 @@ AttemptRunner::AttemptRunner(Task task, uint64_t seed, AttemptOptions options,
     // the same stiffness in the physics it is the tissue's force, and not a share of it.
     for (size_t i = 0; i < task.scene.tools.size(); ++i)
         if (const double held = servo->stiffness_n_m(i); held > 0)
-            task.scene.tools[i].grip_n_m = held;
+            task.scene.tools[i].hand_n_m = held;
     // Built here and shared with nobody yet: the one scene that may be tuned
     // (sim/step/live_tuning.h).
     impl_->shown = sim::build_operative_field(task.scene);

@@ -26,9 +26,9 @@ std::optional<sim::ContourAnchor> nearest_vertex(const sim::Scene& scene, const 
     double nearest = 1;
     for (size_t v = 0; v < scene.field.depth_m.size(); ++v) {
         if (scene.field.depth_m[v] > 0) continue;
-        const double way = (to_vec(settled.body.x[v]).head<2>() - wanted).norm();
-        if (way >= nearest) continue;
-        nearest = way;
+        const double path = (to_vec(settled.body.x[v]).head<2>() - wanted).norm();
+        if (path >= nearest) continue;
+        nearest = path;
         found = at_vertex(static_cast<int32_t>(v));
     }
     return found;

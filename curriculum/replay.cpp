@@ -33,7 +33,7 @@ std::string hex(uint64_t value) {
 void restore_grips(const sim::RecordingHeader& header, Task& task) {
     std::vector<sim::ToolSpec>& tools = task.scene.tools;
     for (size_t i = 0; i < std::min(tools.size(), header.tools.size()); ++i)
-        tools[i].grip_n_m = header.tools[i].grip_n_m;
+        tools[i].hand_n_m = header.tools[i].hand_n_m;
 }
 
 }  // namespace

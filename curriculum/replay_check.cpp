@@ -60,7 +60,7 @@ bool same(const sim::ToolSpec& a, const sim::ToolSpec& b) {
            a.scope_angle_deg == b.scope_angle_deg && a.field_of_view_deg == b.field_of_view_deg &&
            a.cut_power_w == b.cut_power_w && a.coag_power_w == b.coag_power_w &&
            a.efficiency == b.efficiency && a.jaw_open_rad == b.jaw_open_rad &&
-           a.jaw_width_m == b.jaw_width_m && a.jaw_grip_m == b.jaw_grip_m &&
+           a.jaw_width_m == b.jaw_width_m && a.jaw_touch_m == b.jaw_touch_m &&
            a.jaw_force_n == b.jaw_force_n && a.jaw_friction == b.jaw_friction;
 }
 

@@ -276,10 +276,10 @@ void visit_tool(const V& v, T& t) {
     v("cut_power_w", t.cut_power_w);
     v("coag_power_w", t.coag_power_w);
     v("efficiency", t.efficiency);
-    v("grip_n_m", t.grip_n_m);
+    v("grip_n_m", t.hand_n_m);
     v("jaw_open_rad", t.jaw_open_rad);
     v("jaw_width_m", t.jaw_width_m);
-    v("jaw_grip_m", t.jaw_grip_m);
+    v("jaw_grip_m", t.jaw_touch_m);
     v("jaw_force_n", t.jaw_force_n);
     v("jaw_friction", t.jaw_friction);
 }

@@ -56,7 +56,7 @@ bool machine_at_fault(const AttemptRecord& attempt) noexcept {
            });
 }
 
-std::vector<AttemptRecord> attempts_beside(Store& store, const AttemptRecord& attempt) {
+std::vector<AttemptRecord> other_attempts(Store& store, const AttemptRecord& attempt) {
     if (attempt.study.study.empty()) return store.attempts().list(attempt.user_id, attempt.task_id);
     std::set<int64_t> own;
     for (const StepRecord& step : store.studies().steps(attempt.study.study))

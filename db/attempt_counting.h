@@ -31,7 +31,6 @@ namespace placode::db {
 
 /// Attempts at the same task of whose it is, oldest first: of the person, or of the participant
 /// within the study.
-[[nodiscard]] std::vector<AttemptRecord> attempts_beside(Store& store,
-                                                         const AttemptRecord& attempt);
+[[nodiscard]] std::vector<AttemptRecord> other_attempts(Store& store, const AttemptRecord& attempt);
 
 }  // namespace placode::db

@@ -26,7 +26,7 @@ constexpr std::string_view kOrderSuffix = ".order.json";  // Beside a recording:
 constexpr const char* kWithAttempts = "with attempts";    // In the trail: Accounts::erase().
 
 /// Of a file: PATH.before-update-TIME, PATH.replaced-TIME and PATH.moved-TIME.
-std::vector<std::string> kept_beside(const std::string& path, bool of_updates_only = false) {
+std::vector<std::string> kept_copies(const std::string& path, bool of_updates_only = false) {
     std::vector<std::string> found;
     std::error_code none;
     const fs::path file = path;
@@ -64,7 +64,7 @@ CopyResult erase_in_copy(const std::string& path, const Erasure& erasure) {
             throw StoreError(StoreError::Kind::kRefused, "the person is its only administrator");
     }
     // An older copy was brought up to date for it, and kept as it was before.
-    for (const std::string& before : kept_beside(path, true)) fs::remove(before);
+    for (const std::string& before : kept_copies(path, true)) fs::remove(before);
     Station(parse_store_url(url)).forget();
     fs::last_write_time(path, age);
     return result;
@@ -99,7 +99,7 @@ bool is_file(const StoreUrl& url) {
 std::vector<std::string> copies_among(const std::vector<std::string>& backups,
                                       const StoreUrl& url) {
     if (!is_file(url)) return {};
-    std::vector<std::string> found = kept_beside(fs::absolute(url.path).string());
+    std::vector<std::string> found = kept_copies(fs::absolute(url.path).string());
     for (const std::string& path : backups)
         if (fs::is_regular_file(path)) found.push_back(fs::absolute(path).string());
     std::sort(found.begin(), found.end());

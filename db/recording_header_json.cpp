@@ -108,10 +108,10 @@ QJsonObject tool_to_json(const sim::ToolSpec& tool) {
             {"cut_power_w", tool.cut_power_w},
             {"coag_power_w", tool.coag_power_w},
             {"efficiency", tool.efficiency},
-            {"grip_n_m", tool.grip_n_m},
+            {"grip_n_m", tool.hand_n_m},
             {"jaw_open_rad", tool.jaw_open_rad},
             {"jaw_width_m", tool.jaw_width_m},
-            {"jaw_grip_m", tool.jaw_grip_m},
+            {"jaw_grip_m", tool.jaw_touch_m},
             {"jaw_force_n", tool.jaw_force_n},
             {"jaw_friction", tool.jaw_friction}};
 }
@@ -134,10 +134,10 @@ sim::ToolSpec tool_from_json(const Reader& json) {
     tool.cut_power_w = json.number("cut_power_w");
     tool.coag_power_w = json.number("coag_power_w");
     tool.efficiency = json.number("efficiency");
-    tool.grip_n_m = json.number("grip_n_m");
+    tool.hand_n_m = json.number("grip_n_m");
     tool.jaw_open_rad = json.number("jaw_open_rad", tool.jaw_open_rad);  // since format 2
     tool.jaw_width_m = json.number("jaw_width_m", tool.jaw_width_m);
-    tool.jaw_grip_m = json.number("jaw_grip_m", tool.jaw_grip_m);
+    tool.jaw_touch_m = json.number("jaw_grip_m", tool.jaw_touch_m);
     tool.jaw_force_n = json.number("jaw_force_n", tool.jaw_force_n);
     tool.jaw_friction = json.number("jaw_friction", tool.jaw_friction);
     return tool;

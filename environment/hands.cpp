@@ -105,12 +105,12 @@ void Hands::aim(ActionUnits units, double speed_m_s, std::span<const double> act
 void Hands::next(std::span<sim::ToolInput> inputs) {
     for (size_t i = 0; i < hands_.size(); ++i) {
         Hand& hand = hands_[i];
-        const Vec3 way = (hand.goal_m - hand.tip_m) / frames_left_;
-        const double longest = kFastestM_S * frame_s_, length = way.norm();
+        const Vec3 offset = (hand.goal_m - hand.tip_m) / frames_left_;
+        const double longest = kFastestM_S * frame_s_, length = offset.norm();
         hand.tip_m =
             frames_left_ == 1 && length <= longest
                 ? hand.goal_m
-                : Vec3(hand.tip_m + way * std::min(1.0, longest / std::max(length, 1e-12)));
+                : Vec3(hand.tip_m + offset * std::min(1.0, longest / std::max(length, 1e-12)));
         const double turn = (hand.roll_goal_rad - hand.roll_rad) / frames_left_;
         hand.roll_rad = towards(hand.roll_rad, hand.roll_rad + turn, kFastestRollRad_S * frame_s_);
         hand.jaw_rad = towards(hand.jaw_rad, hand.jaw_goal_rad, kFastestJawRad_S * frame_s_);

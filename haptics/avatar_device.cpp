@@ -26,7 +26,7 @@ constexpr int kOpenings = 2, kPedals = 4;  // of the box
 constexpr int kAmplifiersHot = 0x10 | 0x20 | 0x80;
 constexpr double kMaxForceN = 8;  // not confirmed; the settings' limit is lower
 
-struct PortDevice : Talker {
+struct HapticBenchDevice : Talker {
     using Talker::Talker;
     RcmPose pose;
     bool calibrated = false, inserted = false, hot = false, enabled = false;
@@ -43,7 +43,7 @@ class AvatarDevice final : public ArmHands {
         read_signs(config.station.text("avatar.signs"));
         const double settle = config.station.number("avatar.settle_s");
         for (const std::string& path : paths)
-            ports_.push_back(std::make_unique<PortDevice>(path, settle));
+            ports_.push_back(std::make_unique<HapticBenchDevice>(path, settle));
         if (const std::string box = config.station.text("avatar.ibox"); !box.empty())
             box_ = std::make_unique<Talker>(box, settle);
         const auto trocars = default_trocars(config.tools, "avatar");
@@ -66,7 +66,7 @@ class AvatarDevice final : public ArmHands {
         now_ns_ = t_ns;
         hear_box(t_ns);
         for (size_t a = 0; a < samples.size(); ++a) {
-            PortDevice& port = *ports_[a];
+            HapticBenchDevice& port = *ports_[a];
             hear_port(port, t_ns);
             ArmSample& sample = samples[a];
             if (!port.alive(t_ns)) continue;  // lost
@@ -86,7 +86,7 @@ class AvatarDevice final : public ArmHands {
 
     void drive(std::span<const ArmForce> forces) noexcept override {
         for (size_t a = 0; a < forces.size(); ++a) {
-            PortDevice& port = *ports_[a];
+            HapticBenchDevice& port = *ports_[a];
             const int tool = tool_of(a);
             port.force = {};
             if (tool >= 0 && port.enabled && now_ns_ <= forces[a].valid_until_ns)
@@ -135,7 +135,7 @@ class AvatarDevice final : public ArmHands {
         const int64_t until = monotonic_ns() + static_cast<int64_t>(settle_s * 1e9) + kAvatarOpenNs;
         std::array<ArmSample, kMaxArms> samples;
         std::array<ArmForce, kMaxArms> none;
-        const PortDevice* missing = nullptr;
+        const HapticBenchDevice* missing = nullptr;
         do {
             sense(monotonic_ns(), {samples.data(), ports_.size()});
             drive({none.data(), ports_.size()});
@@ -154,7 +154,7 @@ class AvatarDevice final : public ArmHands {
             "avatar.right or avatar.left in the station file.");
     }
 
-    void hear_port(PortDevice& port, int64_t t_ns) noexcept {
+    void hear_port(HapticBenchDevice& port, int64_t t_ns) noexcept {
         std::array<int, kMaxAnswers> v{};
         if (!port.hear(t_ns, v)) return;
         // rotation, pitch, depth, yaw: radians and millimetres, times 10,000
@@ -169,7 +169,7 @@ class AvatarDevice final : public ArmHands {
         if (!port.calibrated) port.enabled = false;
     }
 
-    void ask_port(PortDevice& port) noexcept {
+    void ask_port(HapticBenchDevice& port) noexcept {
         if (port.waiting || port.serial.problem() != 0) return;
         Line line;
         line.add(kAngles);
@@ -203,7 +203,7 @@ class AvatarDevice final : public ArmHands {
     std::vector<sim::Hand> hands_;
     double depth_zero_m_;
     std::array<int, 4> signs_{1, 1, 1, 1};
-    std::vector<std::unique_ptr<PortDevice>> ports_;
+    std::vector<std::unique_ptr<HapticBenchDevice>> ports_;
     std::unique_ptr<Talker> box_;
     std::vector<RcmMap> maps_;
     std::array<double, 6> openings_{};

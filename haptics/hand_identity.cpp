@@ -29,7 +29,7 @@ void HandIdentity::see(std::span<const DeviceState> arms) noexcept {
         if (seen_) {
             const double step = (now.position_m - before_[i].position_m).norm();
             if (step < kNoiseM) continue;  // adds up with the next
-            state_.way_m[i] += step;
+            state_.moved_m[i] += step;
         }
         before_[i] = now;
     }
@@ -38,10 +38,10 @@ void HandIdentity::see(std::span<const DeviceState> arms) noexcept {
         bool pressed_elsewhere = false;
         for (size_t k = 0; k < n; ++k) {
             if (k == i) continue;
-            others = std::max(others, state_.way_m[k]);
+            others = std::max(others, state_.moved_m[k]);
             pressed_elsewhere = pressed_elsewhere || arms[k].buttons != 0;
         }
-        const bool moved = state_.way_m[i] > kWayM && state_.way_m[i] > kTimes * others;
+        const bool moved = state_.moved_m[i] > kWayM && state_.moved_m[i] > kTimes * others;
         if (moved || (arms[i].buttons != 0 && !pressed_elsewhere)) state_.arm = static_cast<int>(i);
     }
     seen_ = true;

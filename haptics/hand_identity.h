@@ -14,7 +14,7 @@ namespace placode::haptics {
 struct IdentityState {
     bool asked = false;
     int arm = -1;  ///< The arm that answered; -1: none yet.
-    std::array<double, sim::kMaxTools> way_m{};
+    std::array<double, sim::kMaxTools> moved_m{};
 };
 
 /// Looks for the arm that is moved at least 30 mm of way, and four times as far as any other, or

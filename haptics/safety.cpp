@@ -56,9 +56,9 @@ Vec3 ForceLimiter::apply(Vec3 force_n, double ceiling_n, double slew_n_s, double
     if (saturated) force_n *= ceiling_n / size;
     const double step = slew_n_s * std::max(0.0, dt_s);
     const Vec3 change = force_n - last_;
-    const double way = change.norm();
-    slewed = way > step;
-    if (slewed) force_n = last_ + change * (step / way);
+    const double path = change.norm();
+    slewed = path > step;
+    if (slewed) force_n = last_ + change * (step / path);
     last_ = force_n;
     return force_n;
 }

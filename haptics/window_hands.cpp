@@ -129,9 +129,9 @@ void WindowHands::turn(WindowHand& hand, double dt_s) noexcept {
     const double most = kTurnCapRadS * dt_s;
     const double step = std::clamp(gap * (1 - std::exp(-dt_s / kFollowS)), -most, most);
     hand.turned_rad += step;
-    const Vec3 way = hand.arm_m - Eigen::AngleAxisd(step, hand.axis) * hand.arm_m;
-    hand.target_m += way;
-    hand.position_m += way;
+    const Vec3 offset = hand.arm_m - Eigen::AngleAxisd(step, hand.axis) * hand.arm_m;
+    hand.target_m += offset;
+    hand.position_m += offset;
 }
 
 void WindowHands::next_hand(uint32_t presses) noexcept {

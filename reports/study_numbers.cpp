@@ -153,10 +153,10 @@ std::optional<GroupComparison> comparison_of(const Dataset& data) {
                 if (comparison.rows.empty()) continue;
                 const auto holm = assessment::holm_adjusted(p_values);
                 for (size_t i = 0; i < holm.size(); ++i) comparison.rows[i].p_holm = holm[i];
-                const double ways =
+                const double orders =
                     std::exp(std::lgamma(comparison.n1 + comparison.n2 + 1) -
                              std::lgamma(comparison.n1 + 1) - std::lgamma(comparison.n2 + 1));
-                comparison.least_p = std::min(1.0, 2 / ways);
+                comparison.least_p = std::min(1.0, 2 / orders);
                 return comparison;
             }
         }

@@ -97,9 +97,9 @@ void draw_lines(QPainter& painter, const sim::FieldGeometry& geometry, const Sig
     if (style.plan) draw(geometry.planned_contour, style.text, Qt::DashLine);
 }
 
-void draw_way(QPainter& painter, const sim::Recording& recording, size_t tool, const Sight& sight,
-              const QColor& ink, Qt::PenStyle dash) {
-    QPainterPath way, hot;
+void draw_path(QPainter& painter, const sim::Recording& recording, size_t tool, const Sight& sight,
+               const QColor& ink, Qt::PenStyle dash) {
+    QPainterPath path, hot;
     bool down = false, hot_down = false;
     for (size_t i = 0; i < recording.samples.size(); i += 2) {
         const sim::ToolSample& sample = recording.samples[i].tools[tool];
@@ -108,7 +108,7 @@ void draw_way(QPainter& painter, const sim::Recording& recording, size_t tool, c
             continue;
         }
         const QPointF p = sight(sample.tip_m[0], sample.tip_m[1], sample.tip_m[2]);
-        down ? way.lineTo(p) : way.moveTo(p);
+        down ? path.lineTo(p) : path.moveTo(p);
         down = true;
         if (sample.power_w > 0) {
             hot_down ? hot.lineTo(p) : hot.moveTo(p);
@@ -121,7 +121,7 @@ void draw_way(QPainter& painter, const sim::Recording& recording, size_t tool, c
     QColor thin = ink;
     thin.setAlphaF(0.75F);
     painter.setPen(QPen(thin, 1, dash));
-    if (!way.isEmpty()) painter.drawPath(way);
+    if (!path.isEmpty()) painter.drawPath(path);
     QPen thick(ink, 2.8);
     thick.setCapStyle(Qt::RoundCap);
     thick.setJoinStyle(Qt::RoundJoin);
@@ -232,8 +232,8 @@ void draw_trajectory(QPainter& painter, const QRectF& where, const sim::Recordin
     painter.setClipRect(plot.adjusted(-4, -4, 4, 4));
     draw_lines(painter, recording.header.geometry, sight, style);
     for (const Key::Entry& entry : key.entries) {
-        draw_way(painter, recording, entry.tool, sight, colour(inks(style)[entry.look]),
-                 kDashes[entry.look]);
+        draw_path(painter, recording, entry.tool, sight, colour(inks(style)[entry.look]),
+                  kDashes[entry.look]);
     }
     painter.restore();
     draw_frame(painter, where, plot, side, sight, style);

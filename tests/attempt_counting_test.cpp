@@ -121,7 +121,7 @@ TEST_P(Counting, ASlowAttemptIsKeptAndCountsNowhere) {
     store->attempts().set_replay(good, db::ReplayState::kIdentical);
     EXPECT_EQ(db::person_means(*store, "diathermy_ring", {user}, 5), std::vector<double>{90})
         << "standards";
-    EXPECT_EQ(db::attempts_beside(*store, record).size(), 2u);
+    EXPECT_EQ(db::other_attempts(*store, record).size(), 2u);
 }
 
 TEST_P(Counting, ATunedAttemptCountsNowhereAndNoMachineIsAtFault) {

@@ -72,9 +72,9 @@ class Bench {
         for (size_t v = 0; v < scene_->field.depth_m.size(); ++v) {
             if (scene_->field.depth_m[v] > 0) continue;
             const Vec3 x = to_vec(state_.body.x[v]);
-            const double way = (x.head<2>() - at).norm();
-            if (way >= nearest) continue;
-            nearest = way;
+            const double path = (x.head<2>() - at).norm();
+            if (path >= nearest) continue;
+            nearest = path;
             height = x.z();
         }
         return height;

@@ -26,9 +26,9 @@ std::vector<ChannelPiece> drum(double turns) {
     std::vector<ChannelPiece> pieces;
     Vec3 before(0, 1, 0);  // the tangents at the ends
     for (int i = 0; i < n; ++i) {
-        const Vec3 way = place(i + 1) - place(i);
-        pieces.push_back({angle_between(before, way), way.norm()});
-        before = way;
+        const Vec3 offset = place(i + 1) - place(i);
+        pieces.push_back({angle_between(before, offset), offset.norm()});
+        before = offset;
     }
     const Vec3 behind(-std::sin(whole), std::cos(whole), 0);
     pieces.push_back({angle_between(before, behind), 0});
@@ -106,13 +106,13 @@ TEST(Capstan, ThreadSticksBetweenTheBoundsAndSlidesToThem) {
         const ThreadSlide s = slide_thread(out, back, in_n, out_n, in_n_m, out_n_m);
         const double high = out.gain * in_n + out.drag_n, low = (in_n - back.drag_n) / back.gain;
         if (out_n > high) {
-            EXPECT_GT(s.way_m, 0);
+            EXPECT_GT(s.slid_m, 0);
             EXPECT_NEAR(s.out_n, out.gain * s.in_n + out.drag_n, 1e-12);
         } else if (out_n < low) {
-            EXPECT_LT(s.way_m, 0);
+            EXPECT_LT(s.slid_m, 0);
             EXPECT_NEAR(s.in_n, back.gain * s.out_n + back.drag_n, 1e-12);
         } else {
-            EXPECT_EQ(s.way_m, 0);
+            EXPECT_EQ(s.slid_m, 0);
             EXPECT_EQ(s.out_n, out_n);
         }
         EXPECT_GE(s.lost_j, 0);
@@ -130,9 +130,9 @@ TEST(Capstan, BarbsCloseTheWayBack) {
                      back = capstan_law(barbed, pieces, false);
     EXPECT_EQ(out.drag_n, 0);
     EXPECT_GT(back.drag_n, 200 * 3.7e-3);
-    EXPECT_EQ(slide_thread(out, back, 0.7, 0, 400, 400).way_m, 0);
-    EXPECT_LT(slide_thread(out, back, 2.0, 0, 400, 400).way_m, 0);
-    EXPECT_GT(slide_thread(out, back, 0.1, 0.7, 400, 400).way_m, 0);
+    EXPECT_EQ(slide_thread(out, back, 0.7, 0, 400, 400).slid_m, 0);
+    EXPECT_LT(slide_thread(out, back, 2.0, 0, 400, 400).slid_m, 0);
+    EXPECT_GT(slide_thread(out, back, 0.1, 0.7, 400, 400).slid_m, 0);
 }
 
 TEST(Capstan, PullAlongAChannelEndsWithThePullAtItsExit) {

@@ -47,7 +47,7 @@ test::BoxOptions block(const Ball& ball) {
     options.heat = options.sleep = false;
     options.tool.kind = ToolKind::kProbe;
     options.tool.tip_radius_m = options.tool.shaft_radius_m = kRadius;
-    options.tool.grip_n_m = 1e12;  // its proxy is where it is put
+    options.tool.hand_n_m = 1e12;  // its proxy is where it is put
     return options;
 }
 

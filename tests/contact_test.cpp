@@ -23,7 +23,7 @@ ToolSpec stiff_probe() {
     ToolSpec tool;
     tool.kind = ToolKind::kProbe;
     tool.tip_radius_m = tool.shaft_radius_m = 0.0015;
-    tool.grip_n_m = 1e7;
+    tool.hand_n_m = 1e7;
     return tool;
 }
 
@@ -80,7 +80,7 @@ TEST(Contact, TheProxyYieldsByForceOverGrip) {
     options.material = skin();
     options.heat = false;
     options.tool = stiff_probe();
-    options.tool.grip_n_m = 50;
+    options.tool.hand_n_m = 50;
     const Scene scene = test::box_scene(options);
     State state(scene, 1);
     const ToolFeedback f = press(scene, state, 0.0006, 0.3);
@@ -96,7 +96,7 @@ TEST(Contact, AThinTipDoesNotSlipBetweenVertices) {
     options.heat = false;
     options.size_m = Vec3(0.008, 0.008, 0.004);
     options.cells = {8, 8, 4};  // edges of 1 mm under a tip of 0.25 mm radius
-    options.tool.grip_n_m = 1e7;
+    options.tool.hand_n_m = 1e7;
     const Scene scene = test::box_scene(options);
     State state(scene, 1);
     ToolFeedback f;
@@ -188,7 +188,7 @@ BoxOptions under_a_floor(double friction, double static_ratio) {
     options.tool = stiff_probe();
     options.tool.tip_radius_m = options.tool.shaft_radius_m = 50;
     options.tool.length_m = 200;
-    options.tool.grip_n_m = 1e9;
+    options.tool.hand_n_m = 1e9;
     return options;
 }
 

@@ -32,7 +32,7 @@ inline BoxOptions scissors_sheet(const Vec3& size_m, const std::array<int, 3>& c
     options.tool.kind = ToolKind::kScissors;
     options.tool.tip_radius_m = 0.0003;
     options.tool.tip_length_m = 0.008;
-    options.tool.grip_n_m = 1e7;
+    options.tool.hand_n_m = 1e7;
     return options;
 }
 

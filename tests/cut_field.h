@@ -30,7 +30,7 @@ inline BoxOptions grasped_block(const Vec3& size_m, const std::array<int, 3>& ce
     options.tool.kind = ToolKind::kGrasper;
     options.tool.tip_radius_m = 0.0005;
     options.tool.tip_length_m = 0.010;
-    options.tool.grip_n_m = 1e7;
+    options.tool.hand_n_m = 1e7;
     options.tool.pivot_m = Vec3(0, 0, 0.080);
     return options;
 }

@@ -96,13 +96,13 @@ Stroke cut_along_contour() {
             from += (contour[at + 1] - contour[at]).norm();
             ++at;
         }
-        const Vec3 way = contour[at + 1] - contour[at];
+        const Vec3 offset = contour[at + 1] - contour[at];
         double depth = 0.0003;
         if (i < 100) depth = -0.002 + 0.000023 * i;
         if (i > 600) depth = 0.0003 - 0.00003 * (i - 600);
         ToolInput input;
         Pose pose;
-        pose.p = contour[at] + (s - from) * way.normalized() - Vec3(0, 0, depth);
+        pose.p = contour[at] + (s - from) * offset.normalized() - Vec3(0, 0, depth);
         const Vec3 shaft = (scene->tools[0].pivot_m - pose.p).normalized();
         pose.q = Quat::FromTwoVectors(Vec3::UnitZ(), -shaft);
         input.set_pose(pose);

@@ -75,9 +75,10 @@ class Chance {
             // Towards any place in or just above the tissue.
             const sim::Vec3 place(random_.uniform(-0.012, 0.012), random_.uniform(-0.01, 0.01),
                                   random_.uniform(-0.003, 0.005));
-            const sim::Vec3 way = 10 * (place - environment_.feedback()[tool].proxy.p) / kSpeedM_S;
+            const sim::Vec3 offset =
+                10 * (place - environment_.feedback()[tool].proxy.p) / kSpeedM_S;
             for (int i = 0; i < 3; ++i)
-                wish_[tool * kActionSize + i] = std::clamp(way[i], -1.0, 1.0);
+                wish_[tool * kActionSize + i] = std::clamp(offset[i], -1.0, 1.0);
         }
     }
 

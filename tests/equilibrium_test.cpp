@@ -79,11 +79,11 @@ TEST(Equilibrium, TheWayThereIsTheDistanceToIt) {
     for (size_t p = 0; p < rest.final_m.size(); ++p)
         there.segment<3>(3 * scene.vertex_of_output[p]) = rest.final_m[p];
     const Coordinates moved = there - setup.body->rest();
-    const auto none = way_to_equilibrium(setup, there, 0);
+    const auto none = step_to_equilibrium(setup, there, 0);
     ASSERT_TRUE(none);
     EXPECT_LT(none->norm(), 1e-6 * moved.norm());
     // From 1 % before it; what is left of second order is 1e-4 of the strain of some per cent.
-    const auto step = way_to_equilibrium(setup, there - 0.01 * moved, 0);
+    const auto step = step_to_equilibrium(setup, there - 0.01 * moved, 0);
     ASSERT_TRUE(step);
     EXPECT_LT((*step - 0.01 * moved).norm(), 1e-3 * step->norm());
 }
@@ -92,7 +92,7 @@ TEST(Equilibrium, SaysNothingAboutWhatNothingHolds) {
     VerificationScene scene = two_cubes();
     scene.held.push_back(floor_of(0, 2e-3));
     const SolveSetup setup(scene, {});
-    EXPECT_FALSE(way_to_equilibrium(setup, setup.body->rest(), 0));
+    EXPECT_FALSE(step_to_equilibrium(setup, setup.body->rest(), 0));
 }
 
 }  // namespace THIS_TEST

@@ -134,10 +134,10 @@ TEST(FieldSlit, WallsMovedTogetherAreShutAndThoseThatPassedEachOtherToo) {
     const auto scene = build_operative_field(pad());
     State state(*scene, 1);
     const int station = nearest_station(*scene, Vec2(0.009, 0));
-    const auto shift = [&](double way) {
+    const auto shift = [&](double path) {
         for (size_t v = 0; v < scene->body.mesh().rest.size(); ++v) {
             const int side = scene->slit.side_of(static_cast<int32_t>(v));
-            state.body.x[v].x = static_cast<float>(scene->body.mesh().rest[v].x() + side * way);
+            state.body.x[v].x = static_cast<float>(scene->body.mesh().rest[v].x() + side * path);
         }
     };
     shift(0.0004);

@@ -31,7 +31,7 @@ BoxOptions options_for(double youngs_pa = 10000) {
     options.tool.kind = ToolKind::kGrasper;
     options.tool.tip_radius_m = 0.0005;
     options.tool.tip_length_m = 0.010;
-    options.tool.grip_n_m = 1e7;
+    options.tool.hand_n_m = 1e7;
     return options;
 }
 

@@ -51,7 +51,7 @@ TEST(HandIdentity, TakesTheArmThatIsMovedMuchMore) {
         arms.see(identity);
     }
     EXPECT_EQ(identity.state().arm, 0);
-    EXPECT_GT(identity.state().way_m[0], 0.03);
+    EXPECT_GT(identity.state().moved_m[0], 0.03);
 }
 
 TEST(HandIdentity, DoubtsLostArmsAndNumbersThatAreNone) {

@@ -13,25 +13,26 @@ namespace THIS_TEST {
 const Vec3 kDirections[] = {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}, {0.6, 0, -0.8}};
 
 // Without this nothing below proves anything.
-TEST(PortBench, SeesThatTheControlCaseIsUnstable) {
-    for (const Grip& grip : grips()) {
-        PortCase wild = control_case(grip);
-        EXPECT_FALSE(calm(run_port(wild))) << grip.name;
+TEST(HapticBenchRig, SeesThatTheControlCaseIsUnstable) {
+    for (const HandModel& grip : grips()) {
+        HapticBenchCase wild = control_case(grip);
+        EXPECT_FALSE(calm(run_haptic_bench(wild))) << grip.name;
         wild.settings = {};
         wild.hold_ticks = 1;
-        EXPECT_TRUE(calm(run_port(wild))) << grip.name << ": the shipped law at the same rate";
+        EXPECT_TRUE(calm(run_haptic_bench(wild)))
+            << grip.name << ": the shipped law at the same rate";
     }
 }
 
-TEST(PortBench, ComesToRestOnAWallInEveryDirection) {
-    for (const Grip& grip : grips()) {
+TEST(HapticBenchRig, ComesToRestOnAWallInEveryDirection) {
+    for (const HandModel& grip : grips()) {
         for (const Vec3& direction : kDirections) {
             for (const bool friction : {false, true}) {
-                PortCase what;
+                HapticBenchCase what;
                 what.grip = grip;
                 what.direction = direction;
                 what.friction = friction;
-                const PortResult result = run_port(what);
+                const HapticBenchResult result = run_haptic_bench(what);
                 EXPECT_LT(result.peak_to_peak_m, 1e-4) << grip.name << " " << direction.transpose();
                 EXPECT_LE(result.peak_force_n, what.settings.max_force_n);
                 EXPECT_NEAR(result.gap_m, result.mean_force_n / what.settings.stiffness_n_m,
@@ -48,12 +49,12 @@ TEST(PortBench, ComesToRestOnAWallInEveryDirection) {
     }
 }
 
-TEST(PortBench, GivesNoEnergyWhileItRestsForAMinute) {
-    for (const Grip& grip : grips()) {
-        PortCase what;
+TEST(HapticBenchRig, GivesNoEnergyWhileItRestsForAMinute) {
+    for (const HandModel& grip : grips()) {
+        HapticBenchCase what;
         what.grip = grip;
         what.seconds = 60;
-        const PortResult result = run_port(what);
+        const HapticBenchResult result = run_haptic_bench(what);
         EXPECT_GE(result.least_energy_j, -0.5e-3) << grip.name;
         // Less than half a step of the encoder: nothing buzzes.
         EXPECT_LT(result.peak_to_peak_m, 27e-6) << grip.name;
@@ -61,14 +62,14 @@ TEST(PortBench, GivesNoEnergyWhileItRestsForAMinute) {
     }
 }
 
-TEST(PortBench, ComesToRestOnTheTissueSolver) {
-    for (const Grip& grip : grips()) {
-        PortCase what;
+TEST(HapticBenchRig, ComesToRestOnTheTissueSolver) {
+    for (const HandModel& grip : grips()) {
+        HapticBenchCase what;
         what.grip = grip;
-        what.world = PortWorld::kTissue;
+        what.world = HapticBenchWorld::kTissue;
         what.push_m = 0.0025;
         what.seconds = 2.5;
-        const PortResult result = run_port(what);
+        const HapticBenchResult result = run_haptic_bench(what);
         EXPECT_LT(result.peak_to_peak_m, 1e-4) << grip.name;
         EXPECT_GE(result.least_energy_j, -0.5e-3);
         EXPECT_LT(result.drift_j_s, 1e-4);
@@ -86,78 +87,78 @@ TEST(PortBench, ComesToRestOnTheTissueSolver) {
     }
 }
 
-TEST(PortBench, IsStableAtThreeTimesItsStiffnessOnTheTissueSolver) {
-    for (const Grip& grip : grips()) {
-        PortCase what;
+TEST(HapticBenchRig, IsStableAtThreeTimesItsStiffnessOnTheTissueSolver) {
+    for (const HandModel& grip : grips()) {
+        HapticBenchCase what;
         what.grip = grip;
-        what.world = PortWorld::kTissue;
+        what.world = HapticBenchWorld::kTissue;
         what.push_m = 0.0015;
         const double three = 3 * what.settings.stiffness_n_m;
         EXPECT_EQ(largest_stiffness(what, {three, three, 2}), three) << grip.name;
     }
 }
 
-TEST(PortBench, IsNearlyFreeInAir) {
-    for (const Grip& grip : grips()) {
+TEST(HapticBenchRig, IsNearlyFreeInAir) {
+    for (const HandModel& grip : grips()) {
         for (const double hz : {1000.0, 500.0, 250.0}) {
-            PortCase what;
+            HapticBenchCase what;
             what.grip = grip;
-            what.world = PortWorld::kAir;
+            what.world = HapticBenchWorld::kAir;
             what.physics_hz = hz;
             what.seconds = 4;
-            const PortResult result = run_port(what);
+            const HapticBenchResult result = run_haptic_bench(what);
             EXPECT_LT(result.peak_force_n, 0.15) << grip.name << " " << hz;
             EXPECT_GE(result.least_energy_j, -0.5e-3) << grip.name << " " << hz;
             // Without it the tool state is a frame old and the hand drags it along.
             what.settings.latency_s = 0;
             if (hz < 1000) {
-                EXPECT_GT(run_port(what).peak_force_n, 0.15) << grip.name << " " << hz;
+                EXPECT_GT(run_haptic_bench(what).peak_force_n, 0.15) << grip.name << " " << hz;
             }
         }
     }
 }
 
-TEST(PortBench, IsNearlyFreeAndPassiveWhenThePhysicsAnswersAtOnce) {
+TEST(HapticBenchRig, IsNearlyFreeAndPassiveWhenThePhysicsAnswersAtOnce) {
     // The latency is measured, not assumed: a tool that ran ahead of the hand would pull it along.
-    for (const Grip& grip : grips()) {
+    for (const HandModel& grip : grips()) {
         for (const double hz : {1000.0, 500.0, 250.0}) {
-            PortCase what;
+            HapticBenchCase what;
             what.grip = grip;
             what.physics_hz = hz;
             what.prompt = true;
-            what.world = PortWorld::kAir;
+            what.world = HapticBenchWorld::kAir;
             what.seconds = 4;
-            const PortResult air = run_port(what);
+            const HapticBenchResult air = run_haptic_bench(what);
             EXPECT_LT(air.peak_force_n, 0.15) << grip.name << " " << hz;
             EXPECT_GE(air.least_energy_j, -0.5e-3) << grip.name << " " << hz;
             EXPECT_LT(air.drift_j_s, 1e-4) << grip.name << " " << hz;
-            what.world = PortWorld::kWall;
+            what.world = HapticBenchWorld::kWall;
             what.settings.stiffness_n_m *= 3;
-            EXPECT_TRUE(calm(run_port(what))) << grip.name << " " << hz;
+            EXPECT_TRUE(calm(run_haptic_bench(what))) << grip.name << " " << hz;
         }
     }
 }
 
-TEST(PortBench, IsStableAtThreeTimesItsStiffnessWithEveryGripAndRate) {
-    for (const Grip& grip : grips()) {
+TEST(HapticBenchRig, IsStableAtThreeTimesItsStiffnessWithEveryGripAndRate) {
+    for (const HandModel& grip : grips()) {
         for (const double hz : {1000.0, 250.0}) {
-            PortCase what;
+            HapticBenchCase what;
             what.grip = grip;
             what.physics_hz = hz;
             what.seconds = 3.5;
             what.settings.stiffness_n_m *= 3;
-            EXPECT_TRUE(calm(run_port(what))) << grip.name << " " << hz;
+            EXPECT_TRUE(calm(run_haptic_bench(what))) << grip.name << " " << hz;
         }
     }
 }
 
-TEST(PortBench, PassesStallsAndReturnsByARamp) {
+TEST(HapticBenchRig, PassesStallsAndReturnsByARamp) {
     for (const double stall : {0.020, 0.100, 0.500}) {
-        PortCase what;
+        HapticBenchCase what;
         what.grip = grips()[1];
         what.stall_s = stall;
         what.seconds = 4;
-        const PortResult result = run_port(what);
+        const HapticBenchResult result = run_haptic_bench(what);
         EXPECT_LE(result.peak_force_n, what.settings.max_force_n);
         EXPECT_LE(result.steepest_n_s, what.settings.slew_n_s + 1e-6);
         EXPECT_TRUE(calm(result)) << stall;
@@ -166,16 +167,16 @@ TEST(PortBench, PassesStallsAndReturnsByARamp) {
     }
 }
 
-TEST(PortBench, GivesNoForceThroughEveryDoubtAndReturnsSlowly) {
+TEST(HapticBenchRig, GivesNoForceThroughEveryDoubtAndReturnsSlowly) {
     for (const int which : {0, 1, 2}) {
-        PortCase what;
+        HapticBenchCase what;
         what.grip = grips()[1];
         what.push_m = 0.0015;  // hand and tool stay within 2 mm: farther apart no force begins
         what.seconds = 4.5;
         what.nan = which == 0;
         what.teleport = which == 1;
         what.unplug = which == 2;
-        const PortResult result = run_port(what);
+        const HapticBenchResult result = run_haptic_bench(what);
         EXPECT_GE(result.certificate.faults, 1u) << which;
         // Silent for the time of distrust and then on a ramp: a whole ramp would be 0.5 s.
         EXPECT_GT(result.recovered_s, 0.2) << which;
@@ -183,18 +184,18 @@ TEST(PortBench, GivesNoForceThroughEveryDoubtAndReturnsSlowly) {
         EXPECT_TRUE(calm(result)) << which;
         // A hand that went on into the wall meanwhile gets no force before it meets its tool.
         what.push_m = 0.006;
-        EXPECT_EQ(run_port(what).mean_force_n, 0) << which;
+        EXPECT_EQ(run_haptic_bench(what).mean_force_n, 0) << which;
     }
 }
 
 // A machine moves the device by a sweep of 1 mm on the wall: what it feels is the spring that was
 // promised, at no frequency leads the force the motion.
-TEST(PortBench, RendersItsStiffnessFromHalfToFortyHertz) {
+TEST(HapticBenchRig, RendersItsStiffnessFromHalfToFortyHertz) {
     for (const double hz : {1000.0, 250.0}) {
-        PortCase what;
+        HapticBenchCase what;
         what.physics_hz = hz;
         const double k = what.settings.stiffness_n_m;
-        for (const PortImpedance& at : port_impedance(what)) {
+        for (const HapticBenchImpedance& at : haptic_bench_impedance(what)) {
             SCOPED_TRACE(std::to_string(at.hz) + " Hz, physics " + std::to_string(hz));
             if (at.hz <= 10) {
                 EXPECT_NEAR(at.stiffness_n_m, k, 0.15 * k);
@@ -207,20 +208,20 @@ TEST(PortBench, RendersItsStiffnessFromHalfToFortyHertz) {
         what.settings.damping_ns_m = 0;
         what.settings.passivity_ns_m = 0;
         what.hold_ticks = 4;
-        EXPECT_LT(port_impedance(what).back().phase_rad, -5 * std::numbers::pi / 180);
+        EXPECT_LT(haptic_bench_impedance(what).back().phase_rad, -5 * std::numbers::pi / 180);
     }
 }
 
 // Ten simulated minutes in which everything goes wrong again and again.
-TEST(PortBench, KeepsItsLimitsThroughTenMinutesOfTrouble) {
-    for (const Grip& grip : grips()) {
+TEST(HapticBenchRig, KeepsItsLimitsThroughTenMinutesOfTrouble) {
+    for (const HandModel& grip : grips()) {
         for (const uint64_t seed : {1, 2}) {
-            PortCase what;
+            HapticBenchCase what;
             what.grip = grip;
             what.soak_seed = seed;
             what.push_m = 0.004;
             what.seconds = 600;
-            const PortResult result = run_port(what);
+            const HapticBenchResult result = run_haptic_bench(what);
             SCOPED_TRACE(std::string(grip.name) + " " + std::to_string(seed));
             EXPECT_GT(result.disturbances, 150);
             EXPECT_LE(result.peak_force_n, what.settings.max_force_n);
@@ -235,12 +236,12 @@ TEST(PortBench, KeepsItsLimitsThroughTenMinutesOfTrouble) {
     }
 }
 
-TEST(PortBench, LowersItsForceWhenItIsHotAfterTenMinutes) {
-    PortCase what;
+TEST(HapticBenchRig, LowersItsForceWhenItIsHotAfterTenMinutes) {
+    HapticBenchCase what;
     what.grip = grips()[0];
     what.push_m = 0.018;
     what.seconds = 600;
-    const PortResult result = run_port(what);
+    const HapticBenchResult result = run_haptic_bench(what);
     EXPECT_GT(result.force_n[2000], 1.3f) << "more than the motors bear for long";
     EXPECT_GT(result.certificate.hot, 100'000u);
     EXPECT_LT(result.certificate.rms_force_n, 1.5 * what.settings.continuous_force_n);
@@ -250,22 +251,22 @@ TEST(PortBench, LowersItsForceWhenItIsHotAfterTenMinutes) {
     EXPECT_GE(result.least_energy_j, -0.5e-3);
 }
 
-TEST(PortBench, GivesTheSameBitsTwice) {
-    PortCase what;
+TEST(HapticBenchRig, GivesTheSameBitsTwice) {
+    HapticBenchCase what;
     what.grip = grips()[2];
     what.seconds = 1.5;
-    const PortResult a = run_port(what), b = run_port(what);
+    const HapticBenchResult a = run_haptic_bench(what), b = run_haptic_bench(what);
     EXPECT_EQ(a.force_n, b.force_n);
     EXPECT_EQ(a.position_m, b.position_m);
-    what.world = PortWorld::kTissue;
+    what.world = HapticBenchWorld::kTissue;
     what.seconds = 0.9;
-    EXPECT_EQ(run_port(what).force_n, run_port(what).force_n);
+    EXPECT_EQ(run_haptic_bench(what).force_n, run_haptic_bench(what).force_n);
 }
 
-TEST(PortBench, RefusesARateThatDoesNotDivide) {
-    PortCase what;
+TEST(HapticBenchRig, RefusesARateThatDoesNotDivide) {
+    HapticBenchCase what;
     what.physics_hz = 300;
-    EXPECT_THROW((void)run_port(what), std::invalid_argument);
+    EXPECT_THROW((void)run_haptic_bench(what), std::invalid_argument);
 }
 
 }  // namespace THIS_TEST

@@ -101,7 +101,7 @@ TEST_F(HapticReplay, GivesTheSameBitsAndTheSameForces) {
     EXPECT_TRUE(certificate.force);
     EXPECT_FALSE(certificate.lock_step);
     EXPECT_GT(certificate.peak_force_n, 0.005);
-    EXPECT_EQ(recording->header.tools[0].grip_n_m, haptics::CouplingSettings{}.stiffness_n_m);
+    EXPECT_EQ(recording->header.tools[0].hand_n_m, haptics::CouplingSettings{}.stiffness_n_m);
     int touching = 0;
     for (const sim::Sample& sample : recording->samples) touching += sample.tools[0].in_contact;
     ASSERT_GT(touching, 10);
@@ -131,7 +131,7 @@ TEST_F(HapticReplay, GivesTheSameBitsAndTheSameForces) {
     }
     // The stiffness of the hand is part of the recording: with another one it differs.
     sim::Recording other = *recording;
-    for (sim::ToolSpec& tool : other.header.tools) tool.grip_n_m = 600;
+    for (sim::ToolSpec& tool : other.header.tools) tool.hand_n_m = 600;
     EXPECT_FALSE(replay(other, 1).identical);
 }
 

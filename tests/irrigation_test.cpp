@@ -147,14 +147,14 @@ TEST(Jet, PushesTissueInAndLetsItComeBack) {
     hand.hold(Vec3(0, 0, 0.005), 0, kPedalCut, 200);
     const RayHit pressed = first_hit(hand.state, Vec3(0, 0, 0.005), -Vec3::UnitZ(), 0.02);
     ASSERT_GE(pressed.triangle, 0);
-    EXPECT_GT(pressed.way_m, 0.005 + 2e-6);
+    EXPECT_GT(pressed.distance_m, 0.005 + 2e-6);
     hand.hold(Vec3(0, 0, 0.005), 0, 0, 600);
     const RayHit back = first_hit(hand.state, Vec3(0, 0, 0.005), -Vec3::UnitZ(), 0.02);
-    EXPECT_LT(back.way_m - 0.005, 0.2 * (pressed.way_m - 0.005));
+    EXPECT_LT(back.distance_m - 0.005, 0.2 * (pressed.distance_m - 0.005));
     // From behind, nothing of the surface is in the way but the underside.
     const RayHit below = first_hit(hand.state, Vec3(0, 0, -0.02), Vec3::UnitZ(), 0.05);
     ASSERT_GE(below.triangle, 0);
-    EXPECT_LT(below.way_m, 0.0195);
+    EXPECT_LT(below.distance_m, 0.0195);
     EXPECT_LT(first_hit(hand.state, Vec3(0.1, 0, 0.01), -Vec3::UnitZ(), 0.02).triangle, 0);
 }
 

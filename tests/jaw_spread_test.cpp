@@ -39,7 +39,7 @@ class Slot {
         for (int i = 0; i < frames; ++i) (void)step(scene_, state_, {&input, 1}, feedback);
     }
     /// Way of a wall away from the slot's middle [m], the larger of what it does anywhere.
-    [[nodiscard]] double way(double side) const {
+    [[nodiscard]] double path(double side) const {
         double most = 0;
         for (size_t v = 0; v < scene_.body.mesh().rest.size(); ++v) {
             const Vec3& rest = scene_.body.mesh().rest[v];
@@ -75,12 +75,12 @@ class Slot {
 TEST(JawSpread, OpeningJawsPushBothWallsAlikeAndTheHandFeelsNothing) {
     Slot slot(5000, 5, true);
     slot.hold(0, 50);
-    EXPECT_LT(slot.way(1), 1e-5);
+    EXPECT_LT(slot.path(1), 1e-5);
     slot.hold(0.36, 400);
     // Tips 9.6 mm from the hinge, 0.4 mm thick, in a slot of 2 mm.
-    const double way = 0.0096 * std::sin(0.18) + 0.0004 - kSlotM / 2;
-    EXPECT_NEAR(slot.way(1), way, 0.25 * way);
-    EXPECT_NEAR(slot.way(-1), slot.way(1), 0.1 * way);
+    const double path = 0.0096 * std::sin(0.18) + 0.0004 - kSlotM / 2;
+    EXPECT_NEAR(slot.path(1), path, 0.25 * path);
+    EXPECT_NEAR(slot.path(-1), slot.path(1), 0.1 * path);
     EXPECT_GT(slot.state().undermining.jaws[0].push_n, 0.005F);
     EXPECT_LT(slot.state().tools[0].force_n.norm(),
               0.3 * static_cast<double>(slot.state().undermining.jaws[0].push_n));
@@ -99,7 +99,7 @@ TEST(JawSpread, OtherJawsTouchAsIfTheyWereShut) {
     Slot slot(5000, 5, false);
     slot.hold(0, 20);
     slot.hold(0.6, 200);
-    EXPECT_LT(slot.way(1), 1e-5);
+    EXPECT_LT(slot.path(1), 1e-5);
     EXPECT_TRUE(slot.state().undermining.jaws.empty());
 }
 

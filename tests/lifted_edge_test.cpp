@@ -30,7 +30,7 @@ const Scene& pad() {
         fascia.injury_stretch = 1.8;
         for (ToolSpec& tool : spec.tools) {
             tool.pivot_m.z() = 0.029;
-            tool.jaw_grip_m = 0.0022;
+            tool.jaw_touch_m = 0.0022;
         }
         return build_operative_field(spec);
     }();

@@ -14,7 +14,7 @@
 namespace placode::sim {
 namespace THIS_TEST {
 
-using test::refused;
+using placode::test::refused;
 
 constexpr double kPi = std::numbers::pi;
 

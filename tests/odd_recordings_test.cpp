@@ -60,10 +60,10 @@ class OddMaker {
         const int points = pick<int>({2, 3, 60});
         for (int i = 0; i < points; ++i) {
             const double a = 2 * std::numbers::pi * i / points;
-            const sim::Vec3 way(std::cos(a), std::sin(a), 0);
-            field.planned_contour.push_back(0.006 * way);
-            field.placode_edge.push_back(0.004 * way);
-            field.skin_edge.push_back(0.009 * way);
+            const sim::Vec3 offset(std::cos(a), std::sin(a), 0);
+            field.planned_contour.push_back(0.006 * offset);
+            field.placode_edge.push_back(0.004 * offset);
+            field.skin_edge.push_back(0.009 * offset);
         }
         field.placode_volume_m3 = number(1e-7);
         field.target_depth_m = number(1e-3);

@@ -28,12 +28,12 @@ OperativeFieldSpec pad() {
 }
 
 /// Carries the patch as it lies by a way, as no hand could.
-void move_patch(const Scene& scene, State& state, const Vec3& way) {
+void move_patch(const Scene& scene, State& state, const Vec3& offset) {
     for (int i = 0; i < scene.patch->vertex_count; ++i) {
         Float4& x = state.body.x[static_cast<size_t>(scene.patch->first_vertex + i)];
-        x.x += static_cast<float>(way.x());
-        x.y += static_cast<float>(way.y());
-        x.z += static_cast<float>(way.z());
+        x.x += static_cast<float>(offset.x());
+        x.y += static_cast<float>(offset.y());
+        x.z += static_cast<float>(offset.z());
     }
 }
 

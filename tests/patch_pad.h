@@ -29,7 +29,7 @@ inline OperativeFieldSpec patch_pad(bool patch = true) {
     grasper.kind = ToolKind::kGrasper;
     grasper.tip_radius_m = 0.0005;
     grasper.tip_length_m = kGrasperTip;
-    grasper.jaw_grip_m = 0.0012;
+    grasper.jaw_touch_m = 0.0012;
     spec.tools = {grasper};
     if (patch) {
         spec.patch.emplace();
@@ -75,9 +75,10 @@ struct Lying {
             Triangle x;
             for (size_t k = 0; k < 3; ++k) x[k] = position(state.body, t.vertex[k]);
             const Vec3 w = closest_on_triangle(p, x);
-            const Vec3 way = p - w.x() * x[0] - w.y() * x[1] - w.z() * x[2];
-            if (way.norm() >= std::abs(best)) continue;
-            best = way.dot((x[1] - x[0]).cross(x[2] - x[0])) < 0 ? -way.norm() : way.norm();
+            const Vec3 offset = p - w.x() * x[0] - w.y() * x[1] - w.z() * x[2];
+            if (offset.norm() >= std::abs(best)) continue;
+            best =
+                offset.dot((x[1] - x[0]).cross(x[2] - x[0])) < 0 ? -offset.norm() : offset.norm();
         }
         return best;
     }

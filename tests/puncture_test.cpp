@@ -70,9 +70,9 @@ TEST(Puncture, AFlatTetIsCrossedByItsShapeAtRest) {
         x.x = static_cast<float>(to.x());
         x.y = static_cast<float>(to.y());
         x.z = static_cast<float>(to.z());
-        for (const Vec3& way : {Vec3(-2e-3, 0, 0), Vec3(0, 1e-3, 0), Vec3(0, 0, 1e-3)}) {
-            EXPECT_EQ(walk_to_face(block.tissue, middle, way).end, WalkEnd::kLost);
-            const TissueWalk walk = walk_at_rest(block.tissue, middle, way);
+        for (const Vec3& offset : {Vec3(-2e-3, 0, 0), Vec3(0, 1e-3, 0), Vec3(0, 0, 1e-3)}) {
+            EXPECT_EQ(walk_to_face(block.tissue, middle, offset).end, WalkEnd::kLost);
+            const TissueWalk walk = walk_at_rest(block.tissue, middle, offset);
             EXPECT_TRUE(walk.end == WalkEnd::kAtFace || walk.end == WalkEnd::kAtSurface);
             EXPECT_GT(walk.share, 0.01);
             double sum = 0;
@@ -82,7 +82,7 @@ TEST(Puncture, AFlatTetIsCrossedByItsShapeAtRest) {
             }
             EXPECT_NEAR(sum, 1, 1e-12);
             EXPECT_NEAR((rest_place_of(block.tissue, walk.at) -
-                         rest_place_of(block.tissue, middle) - walk.share * way)
+                         rest_place_of(block.tissue, middle) - walk.share * offset)
                             .norm(),
                         0, 1e-12);
         }

@@ -163,7 +163,7 @@ TEST(RecordingFile, GivesBackEveryBit) {
     EXPECT_EQ(read.header.frame_s, 1e-3);
     ASSERT_EQ(read.header.tools.size(), 1u);
     EXPECT_EQ(read.header.tools[0].pivot_m, header.tools[0].pivot_m);
-    EXPECT_EQ(read.header.tools[0].grip_n_m, header.tools[0].grip_n_m);
+    EXPECT_EQ(read.header.tools[0].hand_n_m, header.tools[0].hand_n_m);
     EXPECT_EQ(read.header.geometry.planned_contour, header.geometry.planned_contour);
     EXPECT_EQ(read.header.geometry.placode_volume_m3, header.geometry.placode_volume_m3);
 

@@ -16,12 +16,12 @@ using placode::sim::SolveResult;
 namespace THIS_TEST {
 
 /// Ways of implicit steps of h under a constant acceleration: a T (T + h) / 2.
-double implicit_way(double acceleration, double time_s, double h) {
+double implicit_displacement(double acceleration, double time_s, double h) {
     return acceleration * time_s * (time_s + h) / 2;
 }
 
 /// Mean place of the first probe at the end, less where it was.
-sim::Vec3 way_of(const SolveResult& r) {
+sim::Vec3 displacement_of(const SolveResult& r) {
     return r.probe_m.back().front() - r.probe_m.front().front();
 }
 
@@ -41,9 +41,10 @@ TEST(RigidModes, ABarPushedAtOneEndGoesWhereNewtonsLawSendsIt) {
         const SolveResult r = run(bar(5000) + R"("until": {"time_s": 0.4},
                 "loads": [{"box_m": [[0,-1,-1],[0,1,1]], "total_force_n": [0.002,0,0]}], )" +
                                   std::string(kAll) + ", " + solver(method, substeps) + "}");
-        const sim::Vec3 way = way_of(r);
-        EXPECT_NEAR(way.x(), implicit_way(1, 0.4, 1e-3 / substeps), 1e-3 * way.x()) << method;
-        EXPECT_LT(way.tail<2>().norm(), 1e-4 * way.x()) << "sideways, " << method << substeps;
+        const sim::Vec3 offset = displacement_of(r);
+        EXPECT_NEAR(offset.x(), implicit_displacement(1, 0.4, 1e-3 / substeps), 1e-3 * offset.x())
+            << method;
+        EXPECT_LT(offset.tail<2>().norm(), 1e-4 * offset.x()) << "sideways, " << method << substeps;
     }
 }
 
@@ -70,8 +71,9 @@ TEST(RigidModes, WhatOnlyOtherAxesHoldMovesAlongTheFreeOne) {
                 "gravity_m_s2": [1,0,-9.81], "until": {"time_s": 0.2},
                 "fixed": [{"box_m": [[-1,-1,0],[1,1,0]], "axes": "yz"}], )" +
             std::string(kAll) + ", " + solver(method, substeps) + "}");
-        const double way = way_of(r).x();
-        EXPECT_NEAR(way, implicit_way(1, 0.2, 1e-3 / substeps), 1e-3 * way) << method << substeps;
+        const double path = displacement_of(r).x();
+        EXPECT_NEAR(path, implicit_displacement(1, 0.2, 1e-3 / substeps), 1e-3 * path)
+            << method << substeps;
     }
 }
 
@@ -88,8 +90,8 @@ TEST(RigidModes, ABlockSlidesDownASlopeAsCoulombSays) {
                     "sdf_contacts": [{"sphere": {"centre_m": [0.01,0.01,-100.00001],
                                                  "radius_m": 100}, "friction": )" +
                 std::to_string(friction) + "}], " + kAll + ", " + solver(method, substeps) + "}");
-            const double expected = implicit_way(4 - 8 * friction, 0.1, 1e-3 / substeps);
-            EXPECT_NEAR(way_of(r).x(), expected, (friction > 0 ? 0.05 : 0.01) * expected)
+            const double expected = implicit_displacement(4 - 8 * friction, 0.1, 1e-3 / substeps);
+            EXPECT_NEAR(displacement_of(r).x(), expected, (friction > 0 ? 0.05 : 0.01) * expected)
                 << method << substeps << ", friction " << friction;
         }
     }
@@ -105,7 +107,7 @@ TEST(RigidModes, AnImpactWithFrictionGivesNoKickAcross) {
                 "sdf_contacts": [{"sphere": {"centre_m": [0.02,0.01,-0.105], "radius_m": 0.1},
                                   "friction": 0.5}], "until": {"time_s": 0.15}, )" +
             std::string(kAll) + ", " + solver(method, 8) + "}");
-        EXPECT_NEAR(way_of(r).y(), 0, 0.001) << method;
+        EXPECT_NEAR(displacement_of(r).y(), 0, 0.001) << method;
         EXPECT_GT(r.kinetic_energy_j, 0) << method;
         EXPECT_LT(r.kinetic_energy_j + r.elastic_energy_j, 0.008 * 9.81 * 0.02) << method;
     }
@@ -138,7 +140,7 @@ TEST(RigidModes, ASphereOnAHeldPieceLeavesTheFreeOneAlone) {
         scene.end_s = 0.05;
         const SolveResult r = sim::solve(scene);
         EXPECT_GT(r.contact_force_n.z(), 0.01);
-        EXPECT_LT(way_of(r).norm(), 1e-7) << sim::method_name(method);
+        EXPECT_LT(displacement_of(r).norm(), 1e-7) << sim::method_name(method);
     }
 }
 

@@ -181,9 +181,9 @@ TEST(SelfContact, AFlapThatIsFoldedOverDoesNotSinkIn) {
         field.cut_out(flap, hinge);
         field.take_hold(Vec3(-0.0038, 0, 0.0001));
         EXPECT_GT(field.state.grasps[0].count, 0);
-        for (const Vec3& way : {Vec3(-0.003, 0, 0.002), Vec3(-0.001, 0, 0.003),
-                                Vec3(0.0005, 0, 0.0022), Vec3(0.0012, 0, 0.0006)})
-            field.move(way, field.closed());
+        for (const Vec3& offset : {Vec3(-0.003, 0, 0.002), Vec3(-0.001, 0, 0.003),
+                                   Vec3(0.0005, 0, 0.0022), Vec3(0.0012, 0, 0.0006)})
+            field.move(offset, field.closed());
         field.run(field.tip, field.closed(), 300);
         return field.sunken([&](const Vec3& p) { return flap(p) && p.x() < -0.002; });
     };

@@ -42,7 +42,7 @@ std::vector<Vec3> ellipse(double a, double b) {
 
 /// Least way out of a rectangle about `middle` into the half plane of `outward`: straight to a side
 /// that lies there, else along the border of the half plane.
-double way_out(const Vec2& half, const Vec2& middle, const EdgePoint& from) {
+double length_out(const Vec2& half, const Vec2& middle, const EdgePoint& from) {
     double least = 1;
     for (const Vec2& side : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
         const double straight =
@@ -87,7 +87,7 @@ TEST(SheetCover, ARectangleOverAnEllipseReachesAsFarAsTheClosedForm) {
         });
         int enough = 0, wanted = 0;
         for (const EdgePoint& point : edge) {
-            const double exact = std::min(0.010, way_out(Vec2(0.0095, 0.008), moved, point));
+            const double exact = std::min(0.010, length_out(Vec2(0.0095, 0.008), moved, point));
             const double found = sheet.margin(point.at_m, point.outward, 30, 0.010);
             // Between two of the ways 0.034 % are missed.
             EXPECT_NEAR(found, exact, 4e-4 * exact);

@@ -33,7 +33,7 @@ SoftBodySpec empty_spec(double unit = 1) {
     return spec;
 }
 
-/// Squares with crossed diagonals; every third triangle is wound the other way round.
+/// Squares with crossed diagonals; every third triangle is wound the other moved round.
 SoftBodySpec grid(int cells, double thickness, double curl = 0, double unit = 1) {
     SoftBodySpec spec = empty_spec(unit);
     const double edge = kSide * unit;
@@ -123,18 +123,18 @@ std::vector<Vec3> swept_one_by_one(const SoftBody& body, SoftBodyState state, do
     return out;
 }
 
-/// Largest difference of a sweep from the one above, of the longest way that it goes.
+/// Largest difference of a sweep from the one above, of the longest moved that it goes.
 double kernel_error(const SoftBody& body, const SoftBodyState& start, double h) {
     SoftBodyState state = start;
     Workers workers(1);
     sweep(body, state, h, workers);
     const std::vector<Vec3> expected = swept_one_by_one(body, start, h);
-    double off = 0, way = 0;
+    double off = 0, moved = 0;
     for (size_t v = 0; v < expected.size(); ++v) {
         off = std::max(off, (to_vec(state.x[v]) - expected[v]).norm());
-        way = std::max(way, (expected[v] - to_vec(start.x[v])).norm());
+        moved = std::max(moved, (expected[v] - to_vec(start.x[v])).norm());
     }
-    return off / way;
+    return off / moved;
 }
 
 TEST(SheetStrips, TheKernelStepsAsTheEnergyInDoublePrecisionDoes) {

@@ -23,9 +23,9 @@ TEST(SolveReport, NumbersStandInTheOrderOfTheAxesNamed) {
                      std::string(axes) + R"(", "displacement_m": [)" + numbers + R"(]}],
                     "probes": [{"name": "end", "box_m": [[0.002,0,0],[1,1,1]]}], )" +
                      solver("newton", 1)));
-        const sim::Vec3 way = r.probe_m.back().front() - r.probe_m.front().front();
-        EXPECT_NEAR(way.x(), 0.0002, 1e-9) << axes;
-        EXPECT_NEAR(way.z(), 0, 5e-5) << axes;  // where z is free it contracts
+        const sim::Vec3 offset = r.probe_m.back().front() - r.probe_m.front().front();
+        EXPECT_NEAR(offset.x(), 0.0002, 1e-9) << axes;
+        EXPECT_NEAR(offset.z(), 0, 5e-5) << axes;  // where z is free it contracts
     }
 }
 

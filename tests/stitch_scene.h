@@ -30,8 +30,8 @@ inline ToolSpec driver_spec() {
     driver.tip_radius_m = 0.0005;
     driver.tip_length_m = 0.005;
     driver.shaft_radius_m = 0.0015;
-    driver.jaw_grip_m = 0.001;
-    driver.grip_n_m = 600;
+    driver.jaw_touch_m = 0.001;
+    driver.hand_n_m = 600;
     return driver;
 }
 inline ToolSpec second_spec(ToolKind kind) {
@@ -39,7 +39,7 @@ inline ToolSpec second_spec(ToolKind kind) {
     spec.kind = kind;
     spec.tip_radius_m = 0.0005;
     spec.tip_length_m = 0.010;
-    spec.grip_n_m = 600;
+    spec.hand_n_m = 600;
     spec.pivot_m = Vec3(0, 0, 0.080);
     return spec;
 }
@@ -110,9 +110,9 @@ class Stitch {
         driver(at(0));
     }
 
-    /// Where the driver is when it has driven the needle round by `way_m`.
-    [[nodiscard]] Pose at(double way_m) const {
-        const double angle = way_m / scene.suture->needle().radius_m();
+    /// Where the driver is when it has driven the needle round by `path_m`.
+    [[nodiscard]] Pose at(double path_m) const {
+        const double angle = path_m / scene.suture->needle().radius_m();
         const Pose X_WN{start.p, start.q * turned(-angle, Vec3::UnitZ())};
         return X_WN * scene.needle_start.X_TN.inverse();
     }
@@ -131,18 +131,18 @@ class Stitch {
     }
     /// On from where it has been driven to; `look()` after every frame.
     template <class Look>
-    void drive(double way_m, double speed_m_s, Look&& look) {
-        const int frames = std::max(1, static_cast<int>(std::abs(way_m) / (speed_m_s * 1e-3)));
+    void drive(double path_m, double speed_m_s, Look&& look) {
+        const int frames = std::max(1, static_cast<int>(std::abs(path_m) / (speed_m_s * 1e-3)));
         const double from = driven_m;
         for (int i = 1; i <= frames; ++i) {
-            driven_m = from + way_m * i / frames;
+            driven_m = from + path_m * i / frames;
             driver(at(driven_m), jaw_rad);
             frame();
             look();
         }
     }
-    void drive(double way_m, double speed_m_s = 10e-3) {
-        drive(way_m, speed_m_s, [] {});
+    void drive(double path_m, double speed_m_s = 10e-3) {
+        drive(path_m, speed_m_s, [] {});
     }
     /// Moves the jaws; opening takes 50 frames.
     void jaws(double to_rad) {

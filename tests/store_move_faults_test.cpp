@@ -149,7 +149,7 @@ TEST_F(MoveFaults, KilledBehindTheClosingOnlyTheLastStepIsLeft) {
     fill(file);
     const AllRows before = rows(file);
     std::string from = file, to = server;
-    for (int way = 0; way < 2; ++way) {
+    for (int path = 0; path < 2; ++path) {
         EXPECT_TRUE(killed([&] {
             db::MoveOptions how;
             how.progress = [](const db::MoveProgress& at) {
@@ -164,7 +164,7 @@ TEST_F(MoveFaults, KilledBehindTheClosingOnlyTheLastStepIsLeft) {
         }
         EXPECT_FALSE(db::finish_move(from, "sqlite:" + folder.file("elsewhere.db")));
         EXPECT_TRUE(db::finish_move(from, to));
-        expect_same(before, rows(to), static_cast<size_t>(way) + 1);
+        expect_same(before, rows(to), static_cast<size_t>(path) + 1);
         expect_sound(to);
         from = server;
         to = file;  // Where the old file lies, which is kept.
@@ -246,7 +246,7 @@ TEST_F(MoveFaults, ARowThatWasAlteredInTheNewPlaceIsFoundAndNamed) {
 TEST_F(MoveFaults, WhileItMovesNobodyElseWrites) {
     fill(file);
     std::string from = file, to = server;
-    for (int way = 0; way < 2; ++way) {
+    for (int path = 0; path < 2; ++path) {
         const auto other = db::open_store(from + "?timeout_ms=100", options);
         bool tried = false;
         db::MoveOptions how;

@@ -46,25 +46,25 @@ TEST(Bed, YieldsWithWhatIsPressedAndDoesNotFollowWhatIsLifted) {
 }
 
 // Distance along a ray at which it meets a triangle, or -1. Source: Moeller & Trumbore 1997.
-float meets(const Eigen::Vector3f& from, const Eigen::Vector3f& way,
+float meets(const Eigen::Vector3f& from, const Eigen::Vector3f& offset,
             const std::array<Eigen::Vector3f, 3>& p) {
-    const Eigen::Vector3f e1 = p[1] - p[0], e2 = p[2] - p[0], h = way.cross(e2);
+    const Eigen::Vector3f e1 = p[1] - p[0], e2 = p[2] - p[0], h = offset.cross(e2);
     const float a = e1.dot(h);
     if (std::abs(a) < 1e-9F) return -1;
     const Eigen::Vector3f s = from - p[0], q = s.cross(e1);
-    const float u = s.dot(h) / a, v = way.dot(q) / a;
+    const float u = s.dot(h) / a, v = offset.dot(q) / a;
     constexpr float kSlack = 1e-4F;
     return u < -kSlack || v < -kSlack || u + v > 1 + kSlack ? -1 : e2.dot(q) / a;
 }
 
 bool hits(const std::vector<float>& vertices, const std::vector<unsigned>& indices,
-          const Eigen::Vector3f& from, const Eigen::Vector3f& way) {
+          const Eigen::Vector3f& from, const Eigen::Vector3f& offset) {
     for (size_t k = 0; k + 2 < indices.size(); k += 3) {
         std::array<Eigen::Vector3f, 3> p;
         for (size_t e = 0; e < 3; ++e)
             p[e] = Eigen::Map<const Eigen::Vector3f>(
                 &vertices[static_cast<size_t>(indices[k + e]) * kTissueVertexFloats]);
-        if (meets(from, way, p) > 0) return true;
+        if (meets(from, offset, p) > 0) return true;
     }
     return false;
 }
@@ -90,14 +90,14 @@ TEST(Bed, NothingBehindTheSceneIsSeenThroughAHole) {
                 const Vec2 at = hole + r * Vec2(std::cos(a), std::sin(a));
                 if (std::abs(at.x()) > 19.9 || std::abs(at.y()) > 14.9) continue;
                 const double top = -at.y() * at.y() / 64 - at.x() * at.x() / 240;
-                const Eigen::Vector3f way =
+                const Eigen::Vector3f offset =
                     Eigen::Vector3f(static_cast<float>(at.x()), static_cast<float>(at.y()),
                                     static_cast<float>(top)) -
                     eye;
-                const bool tissue = hits(mesh.vertices(), mesh.indices(), eye, way) ||
-                                    hits(skirt.vertices, skirt.indices, eye, way);
+                const bool tissue = hits(mesh.vertices(), mesh.indices(), eye, offset) ||
+                                    hits(skirt.vertices, skirt.indices, eye, offset);
                 without += tissue ? 0 : 1;
-                EXPECT_TRUE(tissue || hits(bed.mesh().vertices, bed.mesh().indices, eye, way))
+                EXPECT_TRUE(tissue || hits(bed.mesh().vertices, bed.mesh().indices, eye, offset))
                     << hole.transpose() << " at " << at.transpose() << " from " << eye.transpose();
             }
         }

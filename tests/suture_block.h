@@ -98,7 +98,7 @@ class SutureBlock {
     }
     /// Torque of the hand about the circle's centre, over its radius: what drives the needle round.
     [[nodiscard]] double drive_n() const {
-        const Vec3 grip = needle.needle.q * needle.hold.grip_N;
+        const Vec3 grip = needle.needle.q * needle.hold.held_N;
         const Vec3 axis = needle.needle.q * Vec3::UnitZ();
         return -(grip.cross(needle.hold.force_n) + needle.hold.torque_n_m).dot(axis) /
                suture.needle().radius_m();
@@ -200,15 +200,15 @@ class SutureBlock {
     }
 };
 
-/// Drives the needle round its centre at `speed_m_s` of the point for `way_m`; `look(block)` after
+/// Drives the needle round its centre at `speed_m_s` of the point for `path_m`; `look(block)` after
 /// every frame, false stops.
 template <class Look>
-void drive_round(SutureBlock& block, double way_m, double speed_m_s, Look&& look) {
+void drive_round(SutureBlock& block, double path_m, double speed_m_s, Look&& look) {
     const Pose start = block.needle.hold.hand;
     const double radius = block.suture.needle().radius_m();
-    const int frames = static_cast<int>(std::ceil(std::abs(way_m) / (speed_m_s * 1e-3)));
+    const int frames = static_cast<int>(std::ceil(std::abs(path_m) / (speed_m_s * 1e-3)));
     for (int i = 1; i <= frames; ++i) {
-        const double angle = way_m / radius * i / frames;
+        const double angle = path_m / radius * i / frames;
         block.frame({start.p, start.q * turned(-angle, Vec3::UnitZ())});
         if (!look(block)) return;
     }

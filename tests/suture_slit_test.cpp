@@ -156,7 +156,7 @@ TEST(SutureSlit, IsReplayedBitForBitOnOtherNumbersOfThreadsAndItsWallsNeverPassE
     sim::Snapshot seen;
     sim::fill_snapshot(scene, replay.state(), seen);
     int bridges = 0;
-    for (const double way_m : seen_stretches_m(seen)) bridges += way_m > 4e-3 ? 1 : 0;
+    for (const double path_m : seen_stretches_m(seen)) bridges += path_m > 4e-3 ? 1 : 0;
     EXPECT_GE(bridges, 3) << "from the needle to the last bite, and between three bites";
     EXPECT_EQ(seen.needle.loop.size(), 17U) << "its loop lies on the first";
     EXPECT_EQ(seen.slit, 1);

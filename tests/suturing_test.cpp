@@ -21,7 +21,7 @@ using test::Stitch;
 using test::StitchOptions;
 using test::turned;
 
-constexpr double kBiteM = 9e-3;  // of the needle's way: in, and well out again
+constexpr double kBiteM = 9e-3;  // of the needle's path: in, and well out again
 
 void record(const char* name, double value) {
     ::testing::Test::RecordProperty(name, shortest_text(value));
@@ -104,7 +104,7 @@ TEST(Suturing, DriverBottomAndHandCarryTheSame) {
     EXPECT_LT((stitch.feedback[0].force_n - tool).norm(), 1e-12);
     const Vec3 hand = stitch.inputs[0].pose().p;
     const Vec3 yields = stitch.state.tools[0].proxy.p - hand;
-    EXPECT_LT((stitch.scene.tools[0].grip_n_m * yields - tool).norm(), 0.02 * tool.norm());
+    EXPECT_LT((stitch.scene.tools[0].hand_n_m * yields - tool).norm(), 0.02 * tool.norm());
     EXPECT_GT(stitch.feedback[0].stiffness_n_m, 100);
 }
 
@@ -225,7 +225,7 @@ TEST(Suturing, ClosedJawsCentreTheWire) {
     ASSERT_EQ(stitch.state.suturing.driver, 0);
     stitch.rest(200);
     const Vec3 wire = stitch.state.tools[0].proxy.inverse() *
-                      (stitch.needle().needle * stitch.needle().hold.grip_N);
+                      (stitch.needle().needle * stitch.needle().hold.held_N);
     EXPECT_NEAR(wire.y(), 0, 10e-6);
 }
 
@@ -340,12 +340,12 @@ TEST(Suturing, SlipInTheJawsIsOneEvent) {
 }
 
 /// A bite with thread, somewhere in its middle.
-std::unique_ptr<Stitch> bitten(int threads, double way_m = 6e-3) {
+std::unique_ptr<Stitch> bitten(int threads, double path_m = 6e-3) {
     StitchOptions options;
     options.threads = threads;
     options.thread_m = 0.1;
     auto stitch = std::make_unique<Stitch>(options);
-    stitch->drive(way_m, 20e-3);
+    stitch->drive(path_m, 20e-3);
     return stitch;
 }
 
@@ -390,7 +390,7 @@ TEST(Suturing, TheHashSeesTheNeedle) {
         return recorded;
     };
     EXPECT_TRUE(seen(stitch->needle().needle.p.x(), 0.1));
-    EXPECT_TRUE(seen(stitch->needle().passages[0].grips_at_m, 0.1));
+    EXPECT_TRUE(seen(stitch->needle().passages[0].sticks_at_m, 0.1));
     EXPECT_TRUE(seen(stitch->state.suturing.driver, int8_t{-1}));
     (void)seen(stitch->state.suturing.held_s, 3.0F);
     EXPECT_EQ(whole_hash(stitch->state), whole);

@@ -66,23 +66,23 @@ inline double pull_n(SutureBlock& block, int end) { return end_of(block, end).fo
 
 /// The hand at an end goes by `way`; `look(block)` after every frame, false stops.
 template <class Look>
-void draw(SutureBlock& block, int end, const Vec3& way, double speed_m_s, Look&& look) {
+void draw(SutureBlock& block, int end, const Vec3& offset, double speed_m_s, Look&& look) {
     const Vec3 start = end_of(block, end).place_m;
-    const int frames = static_cast<int>(std::ceil(way.norm() / (speed_m_s * 1e-3)));
+    const int frames = static_cast<int>(std::ceil(offset.norm() / (speed_m_s * 1e-3)));
     const Pose nobody = block.needle.hold.hand;
     for (int i = 0; i < frames; ++i) {
         block.report.event_count = 0;
         block.begin_frame();
         for (int s = 1; s <= SutureBlock::kSubsteps; ++s) {
             end_of(block, end).place_m =
-                start + way * (i + 1.0 * s / SutureBlock::kSubsteps) / frames;
+                start + offset * (i + 1.0 * s / SutureBlock::kSubsteps) / frames;
             block.substep(nobody);
         }
         if (!look(block)) return;
     }
 }
-inline void draw(SutureBlock& block, int end, const Vec3& way, double speed_m_s) {
-    draw(block, end, way, speed_m_s, [](SutureBlock&) { return true; });
+inline void draw(SutureBlock& block, int end, const Vec3& offset, double speed_m_s) {
+    draw(block, end, offset, speed_m_s, [](SutureBlock&) { return true; });
 }
 
 /// Half a circle into the block and out again, from x = -r to r.

@@ -21,11 +21,11 @@ struct Screw {
         return Vec3(pitch_m * turns * (s - 0.5), radius_m * std::sin(a),
                     radius_m * std::cos(a) - 1.5e-3);
     }
-    [[nodiscard]] Vec3 way(double s) const {
+    [[nodiscard]] Vec3 offset(double s) const {
         const double a = 2 * kPi * turns * s, w = 2 * kPi * turns * radius_m;
         return Vec3(pitch_m * turns, w * std::cos(a), -w * std::sin(a));
     }
-    [[nodiscard]] double length_m() const { return way(0).norm(); }
+    [[nodiscard]] double length_m() const { return offset(0).norm(); }
     /// Of its tangent.
     [[nodiscard]] double turn_rad() const {
         const double c = pitch_m / (2 * kPi);
@@ -40,8 +40,8 @@ std::unique_ptr<SutureBlock> screwed(const Screw& screw, double friction) {
     for (SutureStrength& s : options.suture.strength) s.tear_n_m = 1e6;
     auto block = block_of(options);
     lay_along(*block, screw.length_m(), [&](double s) { return screw.place(s); });
-    hold(*block, 0, screw.place(0) - 5e-3 * screw.way(0).normalized());
-    hold(*block, 1, screw.place(1) + 5e-3 * screw.way(1).normalized());
+    hold(*block, 0, screw.place(0) - 5e-3 * screw.offset(0).normalized());
+    hold(*block, 1, screw.place(1) + 5e-3 * screw.offset(1).normalized());
     return block;
 }
 
@@ -53,16 +53,17 @@ TEST(ThreadChannel, PullGrowsAlongAChannelAsOnADrum) {
             const Screw screw{turns};
             const auto block = screwed(screw, friction);
             const double exact = std::exp(friction * screw.turn_rad());
-            const Vec3 way = std::min(0.1e-3 * exact, 3e-3) * screw.way(1).normalized();
+            const Vec3 offset = std::min(0.1e-3 * exact, 3e-3) * screw.offset(1).normalized();
             const ThreadChannel& channel = block->needle.thread.channels[0];
-            draw(*block, 1, way, 5e-3);
-            ASSERT_GT(channel.way_m, 20e-6);
+            draw(*block, 1, offset, 5e-3);
+            ASSERT_GT(channel.slid_m, 20e-6);
             const double out = pull_n(*block, 1) / pull_n(*block, 0) / exact;
             EXPECT_NEAR(channel.wrap_rad / screw.turn_rad(), 1, 0.01);
             EXPECT_NEAR(out, 1, 0.03) << turns << ' ' << friction;
-            const double most = channel.way_m;
-            draw(*block, 1, -way, 5e-3, [&](SutureBlock&) { return channel.way_m > most - 2e-6; });
-            ASSERT_LT(channel.way_m, most - 2e-6);
+            const double most = channel.slid_m;
+            draw(*block, 1, -offset, 5e-3,
+                 [&](SutureBlock&) { return channel.slid_m > most - 2e-6; });
+            ASSERT_LT(channel.slid_m, most - 2e-6);
             ASSERT_GT(pull_n(*block, 1), 0);
             const double back = pull_n(*block, 0) / pull_n(*block, 1) / exact;
             EXPECT_NEAR(back, 1, 0.03) << turns << ' ' << friction;
@@ -93,14 +94,14 @@ TEST(ThreadChannel, WorkOfTheHandsIsStoredOrDissipated) {
         lay_bite(*block);
         hold(*block, 0, Vec3(-3e-3, 0, 4e-3));
         hold(*block, 1, Vec3(3e-3, 0, 4e-3));
-        const Vec3 way(0.1e-3, 0, 0.4e-3);
+        const Vec3 offset(0.1e-3, 0, 0.4e-3);
         double put_in = 0, last = 0;
         const auto found = [&] {
             const ThreadWork& w = block->needle.thread.work;
             return block->stored() + w.friction + w.torn - w.made;
         };
         for (const double share : {1.0, -0.7, 1.0}) {
-            draw(*block, 1, share * way, speed);
+            draw(*block, 1, share * offset, speed);
             const ThreadWork& w = block->needle.thread.work;
             put_in += std::max(0.0, w.hands - last);
             last = w.hands;

@@ -25,11 +25,11 @@ std::unique_ptr<SutureBlock> bite(const BlockOptions& options) {
     take_needle(block->suture, block->needle, start, 0.67 * needle.arc_m());
     return block;
 }
-void lift(SutureBlock& block, double way_m, double speed_m_s, auto&& look) {
+void lift(SutureBlock& block, double path_m, double speed_m_s, auto&& look) {
     const Pose start = block.needle.hold.hand;
-    const int frames = static_cast<int>(std::ceil(way_m / (speed_m_s * 1e-3)));
+    const int frames = static_cast<int>(std::ceil(path_m / (speed_m_s * 1e-3)));
     for (int i = 1; i <= frames; ++i) {
-        block.frame({start.p + Vec3(0, 0, way_m * i / frames), start.q});
+        block.frame({start.p + Vec3(0, 0, path_m * i / frames), start.q});
         if (!look(block)) return;
     }
 }
@@ -64,14 +64,14 @@ TEST(ThreadNeedle, ThreadFollowsTheSwageAndPullsAtTheHand) {
     record("found_of_work", found / in);
     record("jump", jump);
     block->rest(200);
-    double way = -thread.pieces[0].stretch_m - thread.pieces[1].stretch_m;
+    double path = -thread.pieces[0].stretch_m - thread.pieces[1].stretch_m;
     for (int i = 0; i + 1 < thread.passage_count; ++i)
-        way += thread_way_m(place_of(block->tissue, thread.passages[as_index(i)].at),
-                            place_of(block->tissue, thread.passages[as_index(i + 1)].at));
-    way += thread_way_m(
+        path += thread_path_m(place_of(block->tissue, thread.passages[as_index(i)].at),
+                              place_of(block->tissue, thread.passages[as_index(i + 1)].at));
+    path += thread_path_m(
         place_of(block->tissue, thread.passages[as_index(thread.passage_count - 1)].at),
         swage_m(block->suture, block->needle));
-    EXPECT_NEAR(way, 0.06, 1e-4);
+    EXPECT_NEAR(path, 0.06, 1e-4);
     // The hand feels what the thread pulls, and the bottom carries it.
     const Vec3 hand = block->needle.hold.force_n, bottom = block->carried_n();
     EXPECT_GT(hand.norm(), 0.01);

@@ -64,7 +64,7 @@ TEST(TissueMetrics, AGapOf25DegreesIsFound) {
 
 TEST(TissueMetrics, SignedDistanceIsNegativeInsideWhicheverWayTheLineRuns) {
     std::vector<Vec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    for (int way = 0; way < 2; ++way) {
+    for (int path = 0; path < 2; ++path) {
         const ClosedContour contour(square);
         EXPECT_DOUBLE_EQ(contour.length(), 4);
         EXPECT_DOUBLE_EQ(contour.nearest({0.5, 0.25}).offset, -0.25);

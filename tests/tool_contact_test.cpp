@@ -17,11 +17,11 @@ namespace THIS_TEST {
 
 constexpr double kRadius = 0.0015, kGrip = 600;
 
-ToolSpec rod(ToolKind kind = ToolKind::kProbe, double grip_n_m = kGrip) {
+ToolSpec rod(ToolKind kind = ToolKind::kProbe, double hand_n_m = kGrip) {
     ToolSpec spec;
     spec.kind = kind;
     spec.shaft_radius_m = spec.tip_radius_m = kRadius;  // a plain capsule
-    spec.grip_n_m = grip_n_m;
+    spec.hand_n_m = hand_n_m;
     return spec;
 }
 

@@ -151,9 +151,9 @@ TEST(ToolShape, SpreadJawsAreTwoTurnedCapsules) {
         const Vec3 p(u(random), u(random), -0.004 + u(random));
         double expected = 1;
         for (const double side : {1.0, -1.0}) {
-            const Vec3 way(0, side * std::sin(half), std::cos(half));
-            const double along = std::clamp((p - hinge).dot(way), 0.0, 0.012 - 0.0006);
-            expected = std::min(expected, (p - hinge - along * way).norm() - 0.0006);
+            const Vec3 offset(0, side * std::sin(half), std::cos(half));
+            const double along = std::clamp((p - hinge).dot(offset), 0.0, 0.012 - 0.0006);
+            expected = std::min(expected, (p - hinge - along * offset).norm() - 0.0006);
         }
         for (int part = 1; part < shape.count; ++part)
             expected = std::min(expected, signed_distance(shape.parts[part], p).value_m);

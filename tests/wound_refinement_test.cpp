@@ -79,11 +79,11 @@ TEST(WoundRefinement, TheRimIsACurveAndNotAPolygon) {
         int count = 0;
         for (const auto& [at, ends] : next) {
             if (ends.size() != 2) continue;
-            const auto way = [&](const Point& from, const Point& to) {
+            const auto direction = [&](const Point& from, const Point& to) {
                 return Vec3(to[0] - from[0], to[1] - from[1], to[2] - from[2]).normalized();
             };
-            const double turn =
-                std::acos(std::clamp(way(ends[0], at).dot(way(at, ends[1])), -1.0, 1.0));
+            const double turn = std::acos(
+                std::clamp(direction(ends[0], at).dot(direction(at, ends[1])), -1.0, 1.0));
             most = std::max(most, turn);
             ++count;
         }

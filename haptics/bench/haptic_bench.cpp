@@ -16,8 +16,8 @@ namespace placode::haptics {
 
 namespace {
 
-constexpr Grip kGrips[] = {{"firm", 800, 3}, {"light", 150, 0.5}, {"fingertip", 60, 0.2}};
-constexpr double kTick = kPortTickS;
+constexpr HandModel kGrips[] = {{"firm", 800, 3}, {"light", 150, 0.5}, {"fingertip", 60, 0.2}};
+constexpr double kTick = kHapticBenchTickS;
 constexpr double kStartS = 0.6;  // after the ramp of the force
 constexpr double kPushS = 0.3, kDisturbS = 2.0, kUnplugS = 0.1;
 constexpr double kEndS = 0.5;  // what is measured at the end
@@ -54,9 +54,9 @@ class BenchDevice final : public DeviceGroup {
     Link& link_;
 };
 
-sim::ToolSpec bench_tool(double grip_n_m) {
+sim::ToolSpec bench_tool(double hand_n_m) {
     sim::ToolSpec tool;
-    tool.grip_n_m = grip_n_m;  // as in an attempt with force
+    tool.hand_n_m = hand_n_m;  // as in an attempt with force
     tool.kind = sim::ToolKind::kProbe;
     tool.tip_radius_m = 0.0015;
     tool.pivot_m = Vec3(0, 0, 0.100);
@@ -73,7 +73,7 @@ TrocarSettings bench_trocar() {
 
 class Run {
  public:
-    explicit Run(const PortCase& what)
+    explicit Run(const HapticBenchCase& what)
         : what_(what),
           hand_(what.grip, what.friction),
           tool_(bench_tool(what.settings.stiffness_n_m)),
@@ -85,12 +85,12 @@ class Run {
         every_ = static_cast<int>(std::lround(ratio));
         if (every_ < 1 || std::abs(ratio - every_) > 1e-9 || what.hold_ticks < 1)
             throw std::invalid_argument("port bench: the physics rate must divide 1000 Hz");
-        if (what.world == PortWorld::kTissue)
+        if (what.world == HapticBenchWorld::kTissue)
             tissue_.emplace(tool_, what.youngs_modulus_pa, every_ * kTick);
         feedback_[0].proxy.p = pending_.proxy.p = home_;
     }
 
-    PortResult all() {
+    HapticBenchResult all() {
         const int ticks = static_cast<int>(std::lround(what_.seconds / kTick));
         for (int i = 0; i < ticks; ++i) tick(i);
         finish();
@@ -99,7 +99,7 @@ class Run {
 
  private:
     [[nodiscard]] Vec3 target(double t) const noexcept {
-        if (what_.world == PortWorld::kAir) {
+        if (what_.world == HapticBenchWorld::kAir) {
             // 2 Hz to and fro, once the force has begun.
             const double w = 2 * std::numbers::pi * 2;
             const double rise = std::min(1.0, t);
@@ -133,9 +133,9 @@ class Run {
             pending_.proxy.p = tip;
             // A wall takes what goes through it.
             const double behind = (tip - home_).dot(what_.direction);
-            if (what_.world == PortWorld::kWall && behind > 0)
+            if (what_.world == HapticBenchWorld::kWall && behind > 0)
                 pending_.proxy.p -= behind * what_.direction;
-            pending_.force_n = tool_.grip_n_m * (pending_.proxy.p - tip);
+            pending_.force_n = tool_.hand_n_m * (pending_.proxy.p - tip);
         }
         if (what_.prompt) feedback_[0] = pending_;
     }
@@ -227,19 +227,19 @@ class Run {
         result_.certificate = servo_.certificate();
     }
 
-    PortCase what_;
-    PortHand hand_;
+    HapticBenchCase what_;
+    HapticBenchHand hand_;
     Link link_;
     sim::ToolSpec tool_;
     TrocarSettings trocar_ = bench_trocar();
     Servo servo_;
     Vec3 home_;
     int every_ = 1;
-    std::optional<PortTissue> tissue_;
+    std::optional<HapticBenchTissue> tissue_;
     std::array<sim::ToolInput, 1> inputs_{};
     std::array<sim::ToolFeedback, 1> feedback_{};
     sim::ToolFeedback pending_;
-    PortResult result_;
+    HapticBenchResult result_;
     Vec3 mean_force_ = Vec3::Zero(), mean_tissue_ = Vec3::Zero(), mean_gap_ = Vec3::Zero();
     double energy_j_ = 0, energy_then_j_ = 0, last_force_ = 0, force_before_ = 0;
     double low_ = 1, high_ = -1;
@@ -252,10 +252,10 @@ class Run {
 
 }  // namespace
 
-std::span<const Grip> grips() noexcept { return kGrips; }
+std::span<const HandModel> grips() noexcept { return kGrips; }
 
-PortCase control_case(const Grip& grip) {
-    PortCase what;
+HapticBenchCase control_case(const HandModel& grip) {
+    HapticBenchCase what;
     what.grip = grip;
     what.physics_hz = 250;
     what.hold_ticks = 4;
@@ -265,16 +265,16 @@ PortCase control_case(const Grip& grip) {
     return what;
 }
 
-PortResult run_port(const PortCase& what) { return Run(what).all(); }
+HapticBenchResult run_haptic_bench(const HapticBenchCase& what) { return Run(what).all(); }
 
-bool calm(const PortResult& result) noexcept { return result.peak_to_peak_m < 3e-4; }
+bool calm(const HapticBenchResult& result) noexcept { return result.peak_to_peak_m < 3e-4; }
 
-double largest_stiffness(PortCase what, const StiffnessSweep& sweep) {
+double largest_stiffness(HapticBenchCase what, const StiffnessSweep& sweep) {
     double found = 0;
     what.seconds = 3.5;
     for (double k = sweep.from_n_m; k <= sweep.to_n_m; k *= sweep.step) {
         what.settings.stiffness_n_m = k;
-        if (!calm(run_port(what))) return found;
+        if (!calm(run_haptic_bench(what))) return found;
         found = k;
     }
     return found;

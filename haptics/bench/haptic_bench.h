@@ -18,21 +18,21 @@
 namespace placode::haptics {
 
 /// How fingers hold the stylus: a spring and a damper between arm and device.
-struct Grip {
+struct HandModel {
     std::string_view name;
     double stiffness_n_m = 150, damping_ns_m = 0.5;
 };
-[[nodiscard]] std::span<const Grip> grips() noexcept;  ///< Firm, light, fingertip.
+[[nodiscard]] std::span<const HandModel> grips() noexcept;  ///< Firm, light, fingertip.
 
-enum class PortWorld : uint8_t {
+enum class HapticBenchWorld : uint8_t {
     kWall,    ///< Rigid plane through the tool's home.
     kTissue,  ///< Block of soft tissue under the tool, simulated by the solver.
     kAir,     ///< Nothing: the tool is where the hand was.
 };
 
-struct PortCase {
-    Grip grip;
-    PortWorld world = PortWorld::kWall;
+struct HapticBenchCase {
+    HandModel grip;
+    HapticBenchWorld world = HapticBenchWorld::kWall;
     double physics_hz = 1000;         ///< Divides 1000.
     Vec3 direction = Vec3(0, 0, -1);  ///< Unit, in W: the way that the hand pushes.
     double push_m = 0.003;            ///< How far the hand wants to go behind the surface.
@@ -59,9 +59,9 @@ struct PortCase {
 
 /// The test of the test: a bare spring of 4 kN/m, held for 4 ms over a physics of 250 Hz, that must
 /// buzz. If it does not, nothing here proves anything.
-[[nodiscard]] PortCase control_case(const Grip& grip);
+[[nodiscard]] HapticBenchCase control_case(const HandModel& grip);
 
-struct PortResult {
+struct HapticBenchResult {
     double peak_to_peak_m = 0;  ///< Of the device, in the last half second, along the push.
     double peak_force_n = 0;    ///< Of the whole run.
     double mean_force_n = 0;    ///< At the device, in the last half second.
@@ -79,25 +79,25 @@ struct PortResult {
 
 /// Runs one case. Deterministic: the same case gives the same bits. Throws std::invalid_argument
 /// for a rate that does not divide 1000.
-[[nodiscard]] PortResult run_port(const PortCase& what);
+[[nodiscard]] HapticBenchResult run_haptic_bench(const HapticBenchCase& what);
 
 /// What the port is at one frequency: force by displacement.
-struct PortImpedance {
+struct HapticBenchImpedance {
     double hz = 0;
     double stiffness_n_m = 0;  ///< Size of force by displacement.
     double phase_rad = 0;      ///< 0 a spring, pi/2 a damper; negative: energy is given.
 };
 /// From a sweep against the wall (`sweep_m`), at 0.7 to 40 Hz.
-[[nodiscard]] std::vector<PortImpedance> port_impedance(PortCase what);
+[[nodiscard]] std::vector<HapticBenchImpedance> haptic_bench_impedance(HapticBenchCase what);
 
 /// True when the device comes to rest: less than 0.3 mm from peak to peak after three seconds.
-[[nodiscard]] bool calm(const PortResult& result) noexcept;
+[[nodiscard]] bool calm(const HapticBenchResult& result) noexcept;
 
 /// Stiffnesses that are tried, each `step` times the one before.
 struct StiffnessSweep {
     double from_n_m = 50, to_n_m = 6000, step = 1.15;
 };
 /// Largest stiffness up to which every push into wall or tissue comes to rest; 0: not one.
-[[nodiscard]] double largest_stiffness(PortCase what, const StiffnessSweep& sweep = {});
+[[nodiscard]] double largest_stiffness(HapticBenchCase what, const StiffnessSweep& sweep = {});
 
 }  // namespace placode::haptics

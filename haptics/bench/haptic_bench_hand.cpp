@@ -36,8 +36,8 @@ bool Trouble::step(int i) noexcept {
     return true;
 }
 
-void PortHand::step(const Vec3& target_m, const Vec3& force_n) noexcept {
-    const double dt = kPortTickS / kFine;
+void HapticBenchHand::step(const Vec3& target_m, const Vec3& force_n) noexcept {
+    const double dt = kHapticBenchTickS / kFine;
     for (int i = 0; i < kFine; ++i) {
         const Vec3 hold =
             grip_.stiffness_n_m * (arm_ - device_) + grip_.damping_ns_m * (arm_v_ - device_v_);
@@ -53,7 +53,7 @@ void PortHand::step(const Vec3& target_m, const Vec3& force_n) noexcept {
     }
 }
 
-Vec3 PortHand::encoder_m() const noexcept {
+Vec3 HapticBenchHand::encoder_m() const noexcept {
     return kEncoderM * (device_ / kEncoderM).array().round().matrix();
 }
 

@@ -11,7 +11,7 @@
 
 namespace placode::haptics {
 
-inline constexpr double kPortTickS = 1e-3;
+inline constexpr double kHapticBenchTickS = 1e-3;
 inline constexpr double kSweepStartS = 1.5, kSweepS = 20, kSweepFromHz = 0.5, kSweepToHz = 50;
 
 /// Phase of the sweep [rad]: its frequency grows by the same factor every second.
@@ -32,9 +32,9 @@ class Trouble {
 };
 
 /// Arm, grip and device: three axes alike.
-class PortHand {
+class HapticBenchHand {
  public:
-    PortHand(const Grip& grip, bool friction) : grip_(grip), friction_(friction) {}
+    HapticBenchHand(const HandModel& grip, bool friction) : grip_(grip), friction_(friction) {}
     /// One tick of 1 ms with the arm aiming at `target_m` and the motors giving `force_n`.
     void step(const Vec3& target_m, const Vec3& force_n) noexcept;
     /// A machine moves the device.
@@ -43,7 +43,7 @@ class PortHand {
     [[nodiscard]] Vec3 encoder_m() const noexcept;  ///< The device's place in its encoder's steps.
 
  private:
-    Grip grip_;
+    HandModel grip_;
     bool friction_;
     Vec3 arm_ = Vec3::Zero(), arm_v_ = Vec3::Zero();
     Vec3 device_ = Vec3::Zero(), device_v_ = Vec3::Zero();

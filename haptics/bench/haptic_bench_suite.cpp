@@ -15,7 +15,7 @@
 namespace placode::haptics {
 namespace {
 
-constexpr PortLaw kLaws[] = {
+constexpr HapticBenchLaw kLaws[] = {
     {"as shipped", 1.5, 20}, {"no passivity control", 1.5, 0}, {"bare spring", 0, 0}};
 
 // Limits: wall oscillation, port energy and its drift, and free motion; see docs/devices.md.
@@ -50,7 +50,7 @@ HapticCertificate measure_thread(double seconds) {
     trocar.mapping = Mapping::kTip;
     trocar.home_tip_m = sim::Vec3(0, 0, 0.0002);
     Servo servo(std::make_unique<IdleDevice>(), std::span(&tool, 1), std::span(&trocar, 1), {});
-    PortTissue tissue(tool, 60e3, 1e-3);
+    HapticBenchTissue tissue(tool, 60e3, 1e-3);
     std::atomic<bool> running{true};
     servo.start();
     std::thread physics([&] {
@@ -79,7 +79,7 @@ std::string whole(double value) { return std::to_string(std::lround(value)); }
 /// The worst of several runs.
 struct Worst {
     double oscillation_m = 0, energy_j = 0, drift_j_s = 0;
-    void add(const PortResult& result) {
+    void add(const HapticBenchResult& result) {
         oscillation_m = std::max(oscillation_m, result.peak_to_peak_m);
         energy_j = std::min(energy_j, result.least_energy_j);
         drift_j_s = std::max(drift_j_s, result.drift_j_s);
@@ -94,7 +94,7 @@ void HapticBenchSuite::check(const std::string& name, double value, double limit
 }
 
 bool HapticBenchSuite::passed() const {
-    for (const PortCheck& one : checks)
+    for (const HapticBenchCheck& one : checks)
         if (!one.passed()) return false;
     return true;
 }
@@ -110,8 +110,8 @@ void HapticBenchSuite::run() {
 }
 
 void HapticBenchSuite::run_control() {
-    for (const Grip& grip : grips()) {
-        const PortResult result = run_port(control_case(grip));
+    for (const HandModel& grip : grips()) {
+        const HapticBenchResult result = run_haptic_bench(control_case(grip));
         check("control, " + std::string(grip.name) + ": seen to be unstable [m]",
               result.peak_to_peak_m, 3e-4, false);
         if (grip.name == "light") control = result;
@@ -121,11 +121,11 @@ void HapticBenchSuite::run_control() {
 void HapticBenchSuite::sweep_wall() {
     const std::vector<double> rates =
         quick ? std::vector<double>{1000, 250} : std::vector<double>{1000, 500, 250};
-    for (const PortLaw& law : kLaws) {
+    for (const HapticBenchLaw& law : kLaws) {
         if (quick && &law == &kLaws[1]) continue;
-        for (const Grip& grip : grips()) {
+        for (const HandModel& grip : grips()) {
             for (const double hz : rates) {
-                PortCase what;
+                HapticBenchCase what;
                 what.grip = grip;
                 what.physics_hz = hz;
                 what.settings.damping_ns_m = law.damping_ns_m;
@@ -147,12 +147,12 @@ void HapticBenchSuite::sweep_tissue() {
     if (quick) sweep.from_n_m = sweep.to_n_m = enough;
     const std::vector<double> rates =
         quick ? std::vector<double>{1000} : std::vector<double>{1000, 500, 250};
-    for (const Grip& grip : grips()) {
+    for (const HandModel& grip : grips()) {
         for (const double hz : rates) {
-            PortCase what;
+            HapticBenchCase what;
             what.grip = grip;
             what.physics_hz = hz;
-            what.world = PortWorld::kTissue;
+            what.world = HapticBenchWorld::kTissue;
             what.push_m = 0.0015;
             const double k = largest_stiffness(what, sweep);
             rows.push_back({"tissue", kLaws[0].name, std::string(grip.name), hz, k});
@@ -165,12 +165,12 @@ void HapticBenchSuite::sweep_tissue() {
 void HapticBenchSuite::run_walls() {
     Worst worst;
     double spring = 0;
-    for (const Grip& grip : grips()) {
+    for (const HandModel& grip : grips()) {
         for (const sim::Vec3& direction : kDirections) {
-            PortCase what;
+            HapticBenchCase what;
             what.grip = grip;
             what.direction = direction;
-            const PortResult result = run_port(what);
+            const HapticBenchResult result = run_haptic_bench(what);
             runs.push_back({"wall", std::string(grip.name), what.physics_hz, result});
             worst.add(result);
             const double expected = result.mean_force_n / what.settings.stiffness_n_m;
@@ -179,11 +179,11 @@ void HapticBenchSuite::run_walls() {
         }
     }
     double minute = 0;
-    for (const Grip& grip : grips()) {
-        PortCase what;
+    for (const HandModel& grip : grips()) {
+        HapticBenchCase what;
         what.grip = grip;
         what.seconds = 60;
-        minute = std::min(minute, run_port(what).least_energy_j);
+        minute = std::min(minute, run_haptic_bench(what).least_energy_j);
     }
     check("wall, a minute at rest: least port energy [J]", minute, kEnergyJ, false);
     check("wall, 3 grips x 4 directions: oscillation [m]", worst.oscillation_m, kRestM);
@@ -197,14 +197,14 @@ void HapticBenchSuite::run_tissue() {
     double differing = 0, compared = 1e9;
     for (const double modulus : {5e3, 60e3}) {
         if (quick && modulus < 60e3) continue;
-        for (const Grip& grip : grips()) {
-            PortCase what;
+        for (const HandModel& grip : grips()) {
+            HapticBenchCase what;
             what.grip = grip;
-            what.world = PortWorld::kTissue;
+            what.world = HapticBenchWorld::kTissue;
             what.youngs_modulus_pa = modulus;
             what.push_m = modulus < 60e3 ? 0.003 : 0.0025;
             what.seconds = 2.5;
-            const PortResult result = run_port(what);
+            const HapticBenchResult result = run_haptic_bench(what);
             runs.push_back({"tissue of " + whole(modulus / 1000) + " kPa", std::string(grip.name),
                             what.physics_hz, result});
             worst.add(result);
@@ -226,13 +226,13 @@ void HapticBenchSuite::run_tissue() {
 }
 
 void HapticBenchSuite::run_air() {
-    for (const Grip& grip : grips()) {
+    for (const HandModel& grip : grips()) {
         for (const double hz : {1000.0, 500.0, 250.0}) {
-            PortCase what;
+            HapticBenchCase what;
             what.grip = grip;
-            what.world = PortWorld::kAir;
+            what.world = HapticBenchWorld::kAir;
             what.physics_hz = hz;
-            const PortResult result = run_port(what);
+            const HapticBenchResult result = run_haptic_bench(what);
             runs.push_back({"air", std::string(grip.name), hz, result});
             check("free motion at 0.1 m/s, " + std::string(grip.name) + ", " + whole(hz) +
                       " Hz: force [N]",

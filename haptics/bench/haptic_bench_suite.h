@@ -18,13 +18,13 @@ inline constexpr double kStableTimes = 3;
 inline constexpr double kSweepTopNM = 4400;
 
 /// The law with and without its parts.
-struct PortLaw {
+struct HapticBenchLaw {
     const char* name;
     double damping_ns_m, passivity_ns_m;
 };
 
 /// One limit and what was found.
-struct PortCheck {
+struct HapticBenchCheck {
     std::string name;
     double value = 0, limit = 0;
     bool at_most = true;
@@ -32,26 +32,26 @@ struct PortCheck {
 };
 
 /// Largest stable stiffness of a law in a world.
-struct PortRow {
+struct HapticBenchRow {
     std::string world, law, grip;
     double physics_hz = 0, k_max = 0;
 };
 
 /// One run that is reported by itself.
-struct PortRun {
+struct HapticBenchRun {
     std::string name, grip;
     double physics_hz = 0;
-    PortResult result;
+    HapticBenchResult result;
 };
 
 struct HapticBenchSuite {
     bool quick = false;
-    std::function<void(const PortCheck&)> checked;  ///< Told every check as it is made.
-    std::vector<PortCheck> checks;
-    std::vector<PortRow> rows;
-    std::vector<PortRun> runs;
+    std::function<void(const HapticBenchCheck&)> checked;  ///< Told every check as it is made.
+    std::vector<HapticBenchCheck> checks;
+    std::vector<HapticBenchRow> rows;
+    std::vector<HapticBenchRun> runs;
     /// Time lines for the figures: a light grip.
-    PortResult wall, tissue, control;
+    HapticBenchResult wall, tissue, control;
     HapticCertificate thread;
 
     void run();

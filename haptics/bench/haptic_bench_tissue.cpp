@@ -39,20 +39,21 @@ sim::Scene block(const sim::ToolSpec& tool, double youngs_modulus_pa, double fra
 
 }  // namespace
 
-struct PortTissue::Impl {
+struct HapticBenchTissue::Impl {
     sim::Scene scene;
     sim::State state;
     Impl(const sim::ToolSpec& tool, double modulus, double frame_s)
         : scene(block(tool, modulus, frame_s)), state(scene, 1) {}
 };
 
-PortTissue::PortTissue(const sim::ToolSpec& tool, double youngs_modulus_pa, double frame_s)
+HapticBenchTissue::HapticBenchTissue(const sim::ToolSpec& tool, double youngs_modulus_pa,
+                                     double frame_s)
     : impl_(std::make_unique<Impl>(tool, youngs_modulus_pa, frame_s)) {}
-PortTissue::~PortTissue() = default;
-PortTissue::PortTissue(PortTissue&&) noexcept = default;
-PortTissue& PortTissue::operator=(PortTissue&&) noexcept = default;
+HapticBenchTissue::~HapticBenchTissue() = default;
+HapticBenchTissue::HapticBenchTissue(HapticBenchTissue&&) noexcept = default;
+HapticBenchTissue& HapticBenchTissue::operator=(HapticBenchTissue&&) noexcept = default;
 
-void PortTissue::frame(const sim::ToolInput& input, sim::ToolFeedback& feedback) {
+void HapticBenchTissue::frame(const sim::ToolInput& input, sim::ToolFeedback& feedback) {
     (void)sim::step(impl_->scene, impl_->state, {&input, 1}, {&feedback, 1});
 }
 

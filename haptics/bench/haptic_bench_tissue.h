@@ -10,13 +10,13 @@
 
 namespace placode::haptics {
 
-class PortTissue {
+class HapticBenchTissue {
  public:
     /// Block of 8 x 8 x 3 mm with its top at z = 0, its bottom held, frames of `frame_s`.
-    PortTissue(const sim::ToolSpec& tool, double youngs_modulus_pa, double frame_s);
-    ~PortTissue();
-    PortTissue(PortTissue&&) noexcept;
-    PortTissue& operator=(PortTissue&&) noexcept;
+    HapticBenchTissue(const sim::ToolSpec& tool, double youngs_modulus_pa, double frame_s);
+    ~HapticBenchTissue();
+    HapticBenchTissue(HapticBenchTissue&&) noexcept;
+    HapticBenchTissue& operator=(HapticBenchTissue&&) noexcept;
     /// One frame with the hand's input.
     void frame(const sim::ToolInput& input, sim::ToolFeedback& feedback);
 

@@ -66,7 +66,7 @@ std::vector<sim::ToolSpec> trial_tools(const Station& station, bool two) {
     std::vector<sim::ToolSpec> tools(two ? 2 : 1);
     for (sim::ToolSpec& tool : tools) {
         tool.kind = sim::ToolKind::kProbe;
-        // Far from its port: nothing bends the way of the hand.
+        // Far from its port: nothing bends the path of the hand.
         tool.pivot_m = Vec3(0, 0, 0.5);
         tool.length_m = 2;
     }

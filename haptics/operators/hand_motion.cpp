@@ -39,20 +39,20 @@ bool HandMotion::reached(const Vec3& goal_m, double dt_s) noexcept {
 }
 
 bool HandMotion::glide(const Vec3& goal_m, double speed_m_s, double dt_s) noexcept {
-    const Vec3 way = goal_m - tip_m_;
-    const double length = way.norm(), step = speed_m_s * dt_s;
+    const Vec3 offset = goal_m - tip_m_;
+    const double length = offset.norm(), step = speed_m_s * dt_s;
     if (length <= step) {
         tip_m_ = goal_m;
         return true;
     }
-    tip_m_ += way * (step / length);
+    tip_m_ += offset * (step / length);
     return false;
 }
 
 bool HandMotion::jaw(double goal_rad, double rate, double dt_s) noexcept {
-    const double way = goal_rad - jaw_rad_, step = rate * dt_s;
-    jaw_rad_ += std::clamp(way, -step, step);
-    return std::abs(way) <= step;
+    const double path = goal_rad - jaw_rad_, step = rate * dt_s;
+    jaw_rad_ += std::clamp(path, -step, step);
+    return std::abs(path) <= step;
 }
 
 HandAction HandMotion::action(double time_s) const noexcept {

@@ -17,7 +17,7 @@ constexpr double kStillM = 2e-4, kStillS = 0.8, kMostWatchS = 5;  // It lies sti
 constexpr double kLongAgoS = 1e3;
 constexpr double kRoundShare = 0.6;  // of the line over a sunk sac is cut: look for bridges
 constexpr int kSectorsBeside =
-    3;  // are held by a bridge as well: kBeside in sim/cutting/release.cpp
+    3;  // are held by a bridge as well: kSectorsAside in sim/cutting/release.cpp
 constexpr double kLeastUp = 0.45;  // normals lean no further: a flap's edge may fold over
 
 /// A unit normal, leaned back towards the vertical where it leans too far.

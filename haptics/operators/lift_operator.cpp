@@ -44,10 +44,10 @@ void LiftOperator::stage(Stage next) noexcept {
 /// over the tissue.
 Vec3 LiftOperator::place() const noexcept {
     // Three directions on the instrument's own side, so that its shaft does not cross the placode.
-    constexpr std::array<std::array<double, 2>, kRounds> ways{
+    constexpr std::array<std::array<double, 2>, kRounds> offsets{
         {{-0.8, 0.6}, {0.0, 1.0}, {0.8, 0.6}}};
-    const auto& way = ways[static_cast<size_t>(std::min(round_, kRounds - 1))];
-    const Vec3 wanted(way[0], way[1] * (hand_.home_m().y() < 0 ? -1 : 1), 0);
+    const auto& offset = offsets[static_cast<size_t>(std::min(round_, kRounds - 1))];
+    const Vec3 wanted(offset[0], offset[1] * (hand_.home_m().y() < 0 ? -1 : 1), 0);
     size_t i = 0;
     double best = -1;
     for (size_t k = 0; k < contour_.size(); ++k) {

@@ -161,9 +161,9 @@ void OperatorModel::do_cut(double dt_s) noexcept {
 // Where the line jumps (from one side of a parted edge to the other) the hand has to travel, and
 // what lies between is not meant to be cut.
 void OperatorModel::follow(const Vec3& goal_m, double dt_s) noexcept {
-    const Vec3 way = goal_m - tip_m_;
-    const double far = way.norm(), most = kHandMS * dt_s;
-    tip_m_ = far > most ? Vec3(tip_m_ + most / far * way) : goal_m;
+    const Vec3 offset = goal_m - tip_m_;
+    const double far = offset.norm(), most = kHandMS * dt_s;
+    tip_m_ = far > most ? Vec3(tip_m_ + most / far * offset) : goal_m;
     if (far > kOffLineM) pedal_ = false;
 }
 

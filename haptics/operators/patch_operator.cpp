@@ -98,9 +98,9 @@ double PatchOperator::laid_share() const noexcept {
 }
 
 /// Where the way from its middle crosses the patch's rim, a little inside.
-Vec3 PatchOperator::rim_towards(const Vec3& way) const noexcept {
+Vec3 PatchOperator::rim_towards(const Vec3& offset) const noexcept {
     const Vec3 middle = patch_middle();
-    const Vec3 along = in_plane(way).normalized();
+    const Vec3 along = in_plane(offset).normalized();
     double nearest = 1;
     Vec3 rim = middle;
     for (size_t i = 0; i < corner_.size(); ++i) {
@@ -118,13 +118,13 @@ Vec3 PatchOperator::rim_towards(const Vec3& way) const noexcept {
 
 /// Where to take it now, and where its middle shall come to.
 void PatchOperator::begin() noexcept {
-    const Vec3 way = in_plane(wanted_middle() - patch_middle());
-    const Vec3 along = way.normalized(), across = Vec3::UnitZ().cross(along);
+    const Vec3 offset = in_plane(wanted_middle() - patch_middle());
+    const Vec3 along = offset.normalized(), across = Vec3::UnitZ().cross(along);
     const double care = corrected_ > 0 ? 0.3 : 1;  // who looks again looks better
     const double end = hand_.random().uniform() < 0.5 ? -1 : 1;
     const double beside =
         care * (end * habits_.beside_m + habits_.aside_m * hand_.random().normal());
-    grip_ = rim_towards(way) + beside * across;
+    grip_ = rim_towards(offset) + beside * across;
     error_ = -care * habits_.aim_bias_m * along;
     for (int k = 0; k < 2; ++k) error_[k] += care * habits_.aim_m * hand_.random().normal();
     hand_.reach(grip_ + kOverPatchM * Vec3::UnitZ(), Vec3::UnitZ());

@@ -60,7 +60,7 @@ class PatchOperator final : public ScriptedOperator {
     [[nodiscard]] Vec3 patch_middle() const noexcept;
     [[nodiscard]] Vec3 wanted_middle() const noexcept;
     [[nodiscard]] double laid_share() const noexcept;
-    [[nodiscard]] Vec3 rim_towards(const Vec3& way) const noexcept;
+    [[nodiscard]] Vec3 rim_towards(const Vec3& offset) const noexcept;
 
     OperatorLevel level_;
     PatchHabits habits_;

@@ -95,7 +95,7 @@ void PracticeOperator::aim() noexcept {
         for (int k = 0; k < 2; ++k)
             w.error[k] =
                 habits_.aim_error_m / (1 << std::min(tries_, 4)) * w.motion.random().normal();
-        w.way_m = 0;
+        w.gone_m = 0;
     }
 }
 
@@ -203,7 +203,7 @@ void PracticeOperator::down(double dt_s) noexcept {
         if (energy && w.height_m < habits_.early_pedal_s * profile_.descend_m_s)
             w.pedals = goal_.step.kind == PracticeKind::kCut ? sim::kPedalCut : sim::kPedalCoag;
         if (w.touches || w.height_m < -kDeepestM) {
-            w.way_m = w.height_m;  // where it touched
+            w.gone_m = w.height_m;  // where it touched
             w.anchor = w.motion.tip_m();
             continue;
         }
@@ -220,10 +220,11 @@ void PracticeOperator::down(double dt_s) noexcept {
 void PracticeOperator::press(Worker& w, double press_m, double dt_s) noexcept {
     constexpr double kPressMS = 0.002, kLostM = 1e-3;
     const bool feels = habits_.feels && goal_.step.kind != PracticeKind::kTouch;
-    const double deepest = w.way_m - press_m - (feels && !w.touches ? kLostM : 0);
+    const double deepest = w.gone_m - press_m - (feels && !w.touches ? kLostM : 0);
     if (!feels || w.height_m > deepest)
         w.height_m = std::max(w.height_m - kPressMS * dt_s, deepest);
-    const Vec3 goal = feels ? Vec3(w.anchor + (w.height_m - w.way_m) * Vec3::UnitZ()) : place(w, 0);
+    const Vec3 goal =
+        feels ? Vec3(w.anchor + (w.height_m - w.gone_m) * Vec3::UnitZ()) : place(w, 0);
     static_cast<void>(w.motion.glide(goal, 0.02, dt_s));
 }
 
@@ -285,12 +286,12 @@ void PracticeOperator::do_traction(double dt_s) noexcept {
         Worker& w = workers_[static_cast<size_t>(at_work_[static_cast<size_t>(t)])];
         const Vec3 apart =
             goal_.target_m[static_cast<size_t>(t)] - goal_.target_m[static_cast<size_t>(1 - t)];
-        const Vec3 way = (apart.normalized() + 0.5 * Vec3::UnitZ()).normalized();
+        const Vec3 offset = (apart.normalized() + 0.5 * Vec3::UnitZ()).normalized();
         // Slower as it comes near: an overshoot is what tears.
         const double lack = std::clamp((wanted - w.pull_n) / wanted, -1.0, 1.0);
         const double step_m = habits_.pull_m_s * lack * dt_s;
-        w.way_m += step_m;
-        static_cast<void>(w.motion.glide(w.motion.tip_m() + step_m * way, 0.05, dt_s));
+        w.gone_m += step_m;
+        static_cast<void>(w.motion.glide(w.motion.tip_m() + step_m * offset, 0.05, dt_s));
     }
     if (stage_s_ > kDoPatienceS + 2 * step.hold_s) stage(Stage::kAgain);
 }

@@ -41,7 +41,7 @@ class PracticeOperator final : public ScriptedOperator {
     struct Worker {
         HandMotion motion;
         bool touches = false, holds = false;
-        double pull_n = 0, height_m = 0.005, turned_rad = 0, way_m = 0;
+        double pull_n = 0, height_m = 0.005, turned_rad = 0, gone_m = 0;
         Vec3 error = Vec3::Zero(), anchor = Vec3::Zero(), opening = Vec3::Zero();
         uint8_t pedals = 0;
         bool forth = false;

@@ -178,10 +178,10 @@ void ResectionOperator::enter(double dt_s) noexcept {
 /// One snip further along the outline, or out of the tissue.
 void ResectionOperator::advance() noexcept {
     const size_t n = line_.size();
-    double way = 0;
+    double path = 0;
     size_t steps = 0;
-    while (steps < n && way < jaw_habits(level_).snip_step_m) {
-        way += (line_[(at_ + steps + 1) % n] - line_[(at_ + steps) % n]).norm();
+    while (steps < n && path < jaw_habits(level_).snip_step_m) {
+        path += (line_[(at_ + steps + 1) % n] - line_[(at_ + steps) % n]).norm();
         ++steps;
     }
     const size_t next = (at_ + steps) % n;

@@ -102,11 +102,11 @@ Vec3 SutureOperator::hold_at(const Plane& p, const Vec3& centre, double angle) n
 }
 
 void SutureOperator::drive(const Plane& p, double dt_s) noexcept {
-    const double way = habits_.speed_m_s * dt_s;
+    const double path = habits_.speed_m_s * dt_s;
     // Straight ahead, as the point goes, instead of round.
     const Vec3 ahead = -std::sin(point_rad_) * p.right + std::cos(point_rad_) * p.up;
-    centre_ += habits_.push * way * ahead;
-    point_rad_ += (1 - habits_.push) * way / radius_m_;
+    centre_ += habits_.push * path * ahead;
+    point_rad_ += (1 - habits_.push) * path / radius_m_;
     static_cast<void>(hand_.glide(hold_at(p, centre_, point_rad_ - held_rad_), 0.05, dt_s));
     const bool wrong = starts_ < habits_.false_starts && seen_.bites > bites_ &&
                        point_rad_ > entry_rad_ + kFalseM / radius_m_;
@@ -160,8 +160,8 @@ void SutureOperator::close(const Plane& p, double dt_s) noexcept {
         return;
     }
     centre_ = seen_.X_WN.p;
-    const auto angle_of = [&](const Vec3& way) {
-        return std::atan2(way.dot(p.up), way.dot(p.right));
+    const auto angle_of = [&](const Vec3& offset) {
+        return std::atan2(offset.dot(p.up), offset.dot(p.right));
     };
     grip_rad_ = angle_of(goal_ - kHeldShare * spec_.tip_length_m * p.shaft - centre_);
     const double behind = angle_of(seen_.X_WN.q * Vec3::UnitX()) - grip_rad_;

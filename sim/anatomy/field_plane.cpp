@@ -117,13 +117,13 @@ class PlaneMaker {
         ray.out.z() = 0;
         ray.out.normalize();
         int32_t face = -1;
-        for (double way = kRayStepM / 2; way < DissectionPlane::kMostReachM; way += kRayStepM) {
-            const Vec2 p = ray.edge_m.head<2>() + way * ray.out.head<2>();
+        for (double path = kRayStepM / 2; path < DissectionPlane::kMostReachM; path += kRayStepM) {
+            const Vec2 p = ray.edge_m.head<2>() + path * ray.out.head<2>();
             face = face_at(p, face);
             if (face < 0) break;
             if (ray.stretches.empty() || ray.stretches.back().face != face)
                 ray.stretches.push_back({face, 0});
-            ray.stretches.back().until_m = static_cast<float>(way + kRayStepM / 2);
+            ray.stretches.back().until_m = static_cast<float>(path + kRayStepM / 2);
         }
         plane_.rays.push_back(std::move(ray));
     }

@@ -7,7 +7,7 @@
 // The same holds for bodies solved by XPBD: their contact vertices take a vertex step instead of
 // constraint projections, so that the force is read from one place.
 //
-// The instrument is held by a hand of finite stiffness (ToolSpec::grip_n_m) and yields to the
+// The instrument is held by a hand of finite stiffness (ToolSpec::hand_n_m) and yields to the
 // force: its proxy is what touches. Every instrument touches, the scope as a capsule of its shaft.
 
 #include <span>

@@ -103,11 +103,11 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
         // To the hand and back, and as far as the tissue's last push; near tissue never faster than
         // kStepOfRadius allows.
         const double to_hand = (tool.hand.p - tool.proxy.p).norm();
-        const double push = tool.substep_force_n.norm() / scene.tools[t].grip_n_m;
-        const double way =
+        const double push = tool.substep_force_n.norm() / scene.tools[t].hand_n_m;
+        const double path =
             std::min(2 * (to_hand + push) + kTremor,
                      to_hand + kStepOfRadius * shape.parts[0].near_radius_m * state.substeps);
-        const double limit = scene.contact.margin_m + std::min(way, kFreeStep) + kTissueReach;
+        const double limit = scene.contact.margin_m + std::min(path, kFreeStep) + kTissueReach;
         // A ball around box or triangle: the distance changes by no more than the way.
         const auto reach = [&](const std::array<int32_t, 3>& v, int number,
                                double within) noexcept {
@@ -163,16 +163,17 @@ void move_tools(const Scene& scene, State& state, std::span<const Pose> from,
         tool.proxy.q = between(from[t].q, to[t].q, share);
         const NeedlePull needle = needle_pull(scene, state, t);
         if (!set.near[t] && needle.stiffness_n_m == 0) {
-            Vec3 way = hand - tool.proxy.p;
-            const double most = longest_step[t] = kFreeStep / state.substeps, length = way.norm();
-            if (length > most) way *= most / length;
-            tool.proxy.p += way;
+            Vec3 offset = hand - tool.proxy.p;
+            const double most = longest_step[t] = kFreeStep / state.substeps,
+                         length = offset.norm();
+            if (length > most) offset *= most / length;
+            tool.proxy.p += offset;
             continue;
         }
         // Quasi-static balance of hand and tissue, one Newton step with the stiffness that the
         // touched vertices show at once. kCaution keeps it calm while contacts come and go; at rest
         // the balance is exact whatever the stiffness.
-        const double grip = scene.tools[t].grip_n_m;
+        const double grip = scene.tools[t].hand_n_m;
         Vec3 force = tool.substep_force_n;
         if (needle.stiffness_n_m > 0) force += needle.force_n;
         Vec3 step = (grip * (hand - tool.proxy.p) + force) /

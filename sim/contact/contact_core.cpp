@@ -78,16 +78,16 @@ void build_incidence(ContactLists& lists) noexcept {
 /// (sim/cutting/pieces.h).
 void rub(const SoftBodyState& body, const Contact& c, double b, double load_n,
          VertexSystem& system) noexcept {
-    Vec3 way = Vec3::Zero();
+    Vec3 offset = Vec3::Zero();
     for (size_t i = 0; i < as_index(c.corners); ++i) {
-        way += c.b[i] *
-               (exact_position(body, c.vertex[i]) - to_vec(body.x_start[as_index(c.vertex[i])]));
+        offset += c.b[i] *
+                  (exact_position(body, c.vertex[i]) - to_vec(body.x_start[as_index(c.vertex[i])]));
     }
-    way -= c.n * c.n.dot(way);
+    offset -= c.n * c.n.dot(offset);
     double k = c.stiffness_n_m;
-    const double length = way.norm();
+    const double length = offset.norm();
     if (length * k > kTissueFriction * load_n) k = kTissueFriction * load_n / length;
-    system.gradient += k * b * way;
+    system.gradient += k * b * offset;
     system.hessian += k * b * b * (Mat3::Identity() - c.n * c.n.transpose());
 }
 
@@ -147,10 +147,10 @@ VertexStep solve_contact(ContactLists& lists, const SoftBody& body, SoftBodyStat
     VertexSystem system = vertex_system(body, state, touched.vertex, h_s);
     add_touch(lists, state, touched, system);
     if (held != 0) hold_axes(system, held);
-    const VertexStep way =
+    const VertexStep taken =
         vertex_step(system, 1, body.shortest_edge_m()[as_index(origin_of(state, touched.vertex))]);
-    if (way.finite) move_vertex(state, touched.vertex, way.step);
-    return way;
+    if (taken.finite) move_vertex(state, touched.vertex, taken.step);
+    return taken;
 }
 
 void stick(ContactVertex& touched, const SoftBodyState& state) noexcept {

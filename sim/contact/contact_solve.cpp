@@ -47,9 +47,9 @@ void solve_contacts(const Scene& scene, State& state, double h, bool backward) n
     for (int turn = 0; turn < set.vertex_count; ++turn) {
         ContactVertex& touched = set.vertices[backward ? set.vertex_count - 1 - turn : turn];
         if (state.body.x[touched.vertex].w == 0 || is_bonded(state, touched.vertex)) continue;
-        const VertexStep way = solve_contact(set, scene.body, state.body, touched, h);
-        if (!way.finite) state.flags |= kNotFinite;
-        if (way.limited) state.flags |= kStepLimited;
+        const VertexStep taken = solve_contact(set, scene.body, state.body, touched, h);
+        if (!taken.finite) state.flags |= kNotFinite;
+        if (taken.limited) state.flags |= kStepLimited;
     }
 }
 

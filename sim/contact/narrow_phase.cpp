@@ -26,8 +26,8 @@ bool surely_apart(const std::array<float, 4>& start, const FloatPose& to_tool,
                   const std::array<FloatLanes, 3>& x, float margin) noexcept {
     constexpr float kRounding = 1e-6F;  // of places within a few tenths of a metre, as floats [m]
     const FloatLanes centre = (x[0] + x[1] + x[2]) * every_lane(1.0F / 3);
-    const FloatLanes way = to_tool * centre - lanes_of(start);
-    const float left = start[3] - std::sqrt(dot3(way, way)) - margin - kRounding;
+    const FloatLanes offset = to_tool * centre - lanes_of(start);
+    const float left = start[3] - std::sqrt(dot3(offset, offset)) - margin - kRounding;
     if (!(left > 0)) return false;
     float size2 = 0;
     for (const FloatLanes& corner : x)

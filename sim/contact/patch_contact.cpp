@@ -68,8 +68,8 @@ class FaceBelow {
     [[nodiscard]] bool surely_beyond(FloatLanes low, FloatLanes high,
                                      double stale_m) const noexcept {
         const auto grown = every_lane(static_cast<float>(stale_m) + kFloatSlackM);
-        const FloatLanes way = most(most(low - near_, near_ - high) - grown, every_lane(0));
-        return dot3(way, way) > kFloatSlack * static_cast<float>(best2_);
+        const FloatLanes offset = most(most(low - near_, near_ - high) - grown, every_lane(0));
+        return dot3(offset, offset) > kFloatSlack * static_cast<float>(best2_);
     }
     [[nodiscard]] bool is_nearer(const std::array<int32_t, 3>& face) noexcept {
         const FloatLanes a = lanes_of(state_.body.x[as_index(face[0])]),

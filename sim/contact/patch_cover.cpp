@@ -85,12 +85,12 @@ PatchHandles patch_handles(const Scene& scene) {
     }
     out.middle = nearest_rest_of(scene, all, middle);
     // Where the line from its middle to the placode's crosses the rim.
-    const Vec2 way = (placode_middle(scene) - middle).normalized();
+    const Vec2 direction = (placode_middle(scene) - middle).normalized();
     double best = std::numeric_limits<double>::max();
     for (const int32_t v : rim) {
         const Vec2 from = patch_rest_of(scene, v).head<2>() - middle;
-        const double aside = std::abs(way.x() * from.y() - way.y() * from.x());
-        if (from.dot(way) <= 0 || aside >= best) continue;
+        const double aside = std::abs(direction.x() * from.y() - direction.y() * from.x());
+        if (from.dot(direction) <= 0 || aside >= best) continue;
         best = aside;
         out.rim = v;
     }

@@ -160,11 +160,12 @@ class PatchFolds {
                            high = x[0].cwiseMax(x[1]).cwiseMax(x[2]);
                 if ((low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm() >= best2) continue;
                 const Vec3 w = closest_on_triangle(p, x);
-                const Vec3 way = w.x() * x[0] + w.y() * x[1] + w.z() * x[2] - p;
-                if (way.squaredNorm() >= best2 || (second && way.dot(not_towards) >= 0)) continue;
-                best2 = way.squaredNorm();
+                const Vec3 offset = w.x() * x[0] + w.y() * x[1] + w.z() * x[2] - p;
+                if (offset.squaredNorm() >= best2 || (second && offset.dot(not_towards) >= 0))
+                    continue;
+                best2 = offset.squaredNorm();
                 best = t;
-                to = way;
+                to = offset;
             }
         }
         return best;
@@ -215,8 +216,8 @@ bool add_patch_folds(const Scene& scene, const State& state, int32_t number, dou
         const double press = press_pa_m * (1 + (kFoldHardest - 1) * deep * deep) *
                              static_cast<double>(patch.area_m2[as_index(number)]);
         // Friction by what moves within the substep: it forgets, as that of tissue on tissue.
-        const Vec3 beside = x + (ahead - at);
-        Vec3 slide = guess - beside;
+        const Vec3 moved_on = x + (ahead - at);
+        Vec3 slide = guess - moved_on;
         slide -= n * n.dot(slide);
         const double most = patch.friction * press * overlap;
         const double rub = press * slide.norm() > most ? most / slide.norm() : press;
@@ -224,7 +225,7 @@ bool add_patch_folds(const Scene& scene, const State& state, int32_t number, dou
         const Mat3 k = press * along + rub * (Mat3::Identity() - along);
         spring.k_n_m += k;
         spring.k_place_n +=
-            press * (n.dot(ahead) + patch.thickness_m) * n + rub * (beside - n * n.dot(beside));
+            press * (n.dot(ahead) + patch.thickness_m) * n + rub * (moved_on - n * n.dot(moved_on));
         any = true;
     }
     return any;

@@ -86,13 +86,13 @@ class PatchModes {
         const SoftBodyState& body = state_.body;
         const double m = static_cast<double>(scene_.body.mass_kg()[v]);
         const Vec3 r = to_vec(body.x[v]) - from_, before = to_vec(body.x_start[v]) - from_;
-        const Vec3 way = r - before, wanted = h_ * (to_vec(body.v[v]) + fall_m_s_);
+        const Vec3 offset = r - before, wanted = h_ * (to_vec(body.v[v]) + fall_m_s_);
         mass_ += m;
         place_ += m * r;
         start_ += m * before;
-        went_ += m * way;
+        went_ += m * offset;
         planned_ += m * wanted;
-        missing_turn_ += m * (before.cross(wanted) - r.cross(way));
+        missing_turn_ += m * (before.cross(wanted) - r.cross(offset));
         inertia_ += inertia_of(m, r);
         const PatchTie& tie = state_.scratch->patch.ties[as_index(i)];
         if (!tie.holds) return;
@@ -128,13 +128,13 @@ class PatchModes {
 
     /// A rotation by Cayley's form: exact, and without the library's sine, whose last bit depends
     /// on the processor.
-    void turn_about(const Vec3& centre, const Vec3& way, const Vec3& turn) noexcept {
+    void turn_about(const Vec3& centre, const Vec3& offset, const Vec3& turn) noexcept {
         Quat q;
         q.coeffs() << turn / 2, 1;
         const Mat3 change = q.normalized().toRotationMatrix() - Mat3::Identity();
         double longest = 0;
         for (int32_t i = 0; i < patch_.vertex_count; ++i)
-            longest = std::max(longest, moved(i, centre, way, change).squaredNorm());
+            longest = std::max(longest, moved(i, centre, offset, change).squaredNorm());
         longest = std::sqrt(longest);
         if (longest < kModesRounding) return;
         const double most =
@@ -142,17 +142,17 @@ class PatchModes {
             static_cast<double>(scene_.body.shortest_edge_m()[as_index(patch_.first_vertex)]);
         const double share = longest > most ? most / longest : 1;
         for (int32_t i = 0; i < patch_.vertex_count; ++i) {
-            const Vec3 to = share * moved(i, centre, way, change);
+            const Vec3 to = share * moved(i, centre, offset, change);
             Float4& x = state_.body.x[as_index(patch_.first_vertex + i)];
             x = {static_cast<float>(static_cast<double>(x.x) + to.x()),
                  static_cast<float>(static_cast<double>(x.y) + to.y()),
                  static_cast<float>(static_cast<double>(x.z) + to.z()), x.w};
         }
     }
-    [[nodiscard]] Vec3 moved(int32_t i, const Vec3& centre, const Vec3& way,
+    [[nodiscard]] Vec3 moved(int32_t i, const Vec3& centre, const Vec3& offset,
                              const Mat3& change) const noexcept {
         const Vec3 r = position(state_.body, patch_.first_vertex + i) - from_ - centre;
-        return way + change * r;
+        return offset + change * r;
     }
 
     const Scene& scene_;

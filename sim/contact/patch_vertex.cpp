@@ -141,8 +141,8 @@ Vec3 PatchVertex::coasting() const noexcept {
 /// Most of what is near the tissue does not come to touch it in a substep, whatever the velocities
 /// there are; that is cheaper to say than where it would touch.
 /// @param way from the face's nearest point. @param turned the face's normal, of any length.
-bool PatchVertex::stays_away(const Vec3& way, const Vec3& turned) const noexcept {
-    const double height = turned.dot(way), distance2 = way.squaredNorm();
+bool PatchVertex::stays_away(const Vec3& offset, const Vec3& turned) const noexcept {
+    const double height = turned.dot(offset), distance2 = offset.squaredNorm();
     // Beside the face or behind it: not here.
     if (!(height > 0) || !(height * height > kSurelyOutside * turned.squaredNorm() * distance2))
         return false;
@@ -165,16 +165,16 @@ void PatchVertex::meet() noexcept {
     for (size_t k = 0; k < 3; ++k) start[k] = to_vec(state_.body.x_start[as_index(tie_.face[k])]);
     const Vec3 x = to_vec(state_.body.x_start[as_index(vertex_)]);
     const Vec3 w = tie_.weight = closest_on_triangle(x, start);
-    const Vec3 way = x - w.x() * start[0] - w.y() * start[1] - w.z() * start[2];
+    const Vec3 offset = x - w.x() * start[0] - w.y() * start[1] - w.z() * start[2];
     const Vec3 turned = (start[1] - start[0]).cross(start[2] - start[0]);
-    if (stays_away(way, turned)) return;
+    if (stays_away(offset, turned)) return;
     tie_.ahead = face_ahead(state_, tie_.face, h_);
     const Vec3 face = turned.normalized();
-    const double height = face.dot(way), distance = way.norm();
+    const double height = face.dot(offset), distance = offset.norm();
     // Outside, the way to the nearest point is a normal that turns smoothly over edges.
     const bool outside = height > 0 && distance > 1e-6;
-    tie_.n = outside ? Vec3(way / distance) : face;
-    if (!outside && (way - height * face).norm() > kPatchBeside) return;
+    tie_.n = outside ? Vec3(offset / distance) : face;
+    if (!outside && (offset - height * face).norm() > kPatchBeside) return;
     const Vec3 at = w.x() * tie_.ahead[0] + w.y() * tie_.ahead[1] + w.z() * tie_.ahead[2];
     tie_.overlap_at_m = tie_.n.dot(at) + patch_.thickness_m / 2;
     if (height < -kPatchDeepest) tie_.overlap_at_m = tie_.n.dot(x) + kPatchRecovery;

@@ -27,7 +27,7 @@ class PatchVertex {
 
  private:
     void meet() noexcept;
-    [[nodiscard]] bool stays_away(const Vec3& way, const Vec3& turned) const noexcept;
+    [[nodiscard]] bool stays_away(const Vec3& offset, const Vec3& turned) const noexcept;
     void hold() noexcept;
     void tie(const Mat3& k, const Vec3& place) noexcept;
     [[nodiscard]] double press_pa_m() const noexcept;
@@ -36,8 +36,8 @@ class PatchVertex {
     [[nodiscard]] double load_of(const Vec3& x) const noexcept {
         return tie_.press_n_m * (tie_.overlap_at_m - tie_.n.dot(x));
     }
-    [[nodiscard]] Vec3 across(const Vec3& way) const noexcept {
-        return way - tie_.n * tie_.n.dot(way);
+    [[nodiscard]] Vec3 across(const Vec3& offset) const noexcept {
+        return offset - tie_.n * tie_.n.dot(offset);
     }
 
     const Scene& scene_;

@@ -83,7 +83,8 @@ class NearestFace {
         found_ = {vertex_, face.tet,
                   local_face(corners(scene_.body, state_.body, face.tet), face.vertex)};
         for (const int32_t v : face.vertex) {
-            state_.self_contact.beside_until[static_cast<size_t>(v)] = state_.frame + kBesideFrames;
+            state_.self_contact.near_moved_until[static_cast<size_t>(v)] =
+                state_.frame + kBesideFrames;
         }
     }
 
@@ -142,11 +143,11 @@ bool touches(const Scene& scene, const State& state, const TissuePair& pair,
         x[k] = start(face[k]);
     }
     const Vec3 at = start(pair.vertex), w = closest_on_triangle(at, x);
-    const Vec3 way = at - w.x() * x[0] - w.y() * x[1] - w.z() * x[2];
+    const Vec3 offset = at - w.x() * x[0] - w.y() * x[1] - w.z() * x[2];
     out.n = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
-    const double gap = out.n.dot(way) - kTissueGapM;
-    const double beside = (way - out.n * out.n.dot(way)).norm();
-    if (!(gap < kTissueGapM) || gap < -kDeepestM || !(beside < kBesideM)) return false;
+    const double gap = out.n.dot(offset) - kTissueGapM;
+    const double aside = (offset - out.n * out.n.dot(offset)).norm();
+    if (!(gap < kTissueGapM) || gap < -kDeepestM || !(aside < kBesideM)) return false;
     out.vertex[0] = pair.vertex;
     out.b = {1, -w.x(), -w.y(), -w.z()};
     out.corners = 4;
@@ -162,7 +163,7 @@ bool touches(const Scene& scene, const State& state, const TissuePair& pair,
 SelfContact::SelfContact(const Scene& scene) {
     if (!scene.contact.self_contact) return;
     for (auto& group : pairs) group.resize(kMostPairs);
-    beside_until.assign(static_cast<size_t>(scene.body.vertex_capacity()), -1);
+    near_moved_until.assign(static_cast<size_t>(scene.body.vertex_capacity()), -1);
 }
 
 void collect_tissue_pairs(const Scene& scene, State& state) noexcept {
@@ -174,8 +175,8 @@ void collect_tissue_pairs(const Scene& scene, State& state) noexcept {
     const int32_t vertices =
         state.body.topology ? state.body.topology->vertices : scene.body.vertex_count();
     for (auto v = static_cast<int32_t>(group); v < vertices; v += SelfContact::kGroups) {
-        const bool beside = self.beside_until[static_cast<size_t>(v)] >= state.frame;
-        if (!beside && scene.slit.side_of(v) == 0 &&
+        const bool near_moved = self.near_moved_until[static_cast<size_t>(v)] >= state.frame;
+        if (!near_moved && scene.slit.side_of(v) == 0 &&
             (position(state.body, v) - rest_of(scene, state, v)).squaredNorm() < kMovedM * kMovedM)
             continue;
         const int32_t tet = surface_tet(scene, state, v);

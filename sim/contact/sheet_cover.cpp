@@ -61,21 +61,21 @@ bool SheetCover::covers(const Vec2& p) const noexcept {
                        [&](const Face& face) { return holds(face, p); });
 }
 
-double SheetCover::reach(const Vec2& from, const Vec2& way, double most) noexcept {
+double SheetCover::reach(const Vec2& from, const Vec2& direction, double most) noexcept {
     const double seam = kSeam * most;
     crossed_.clear();
     for (const Face& face : face_) {
         const Vec2 there = face.middle - from;
-        const double along = there.dot(way), radius = face.radius_m + seam;
-        if (along < -radius || along > most + radius || std::abs(cross(way, there)) > radius)
+        const double along = there.dot(direction), radius = face.radius_m + seam;
+        if (along < -radius || along > most + radius || std::abs(cross(direction, there)) > radius)
             continue;
         // The stretch of the ray within the triangle, from one side's crossing to another's.
         double low = std::numeric_limits<double>::max(), high = -low;
         for (size_t k = 0; k < 3; ++k) {
             const Vec2 &a = face.at[k], &b = face.at[(k + 1) % 3];
-            const double sa = cross(way, a - from), sb = cross(way, b - from);
+            const double sa = cross(direction, a - from), sb = cross(direction, b - from);
             if ((sa > 0 && sb > 0) || (sa < 0 && sb < 0)) continue;
-            const double ta = (a - from).dot(way), tb = (b - from).dot(way);
+            const double ta = (a - from).dot(direction), tb = (b - from).dot(direction);
             const bool along_it = sa == sb;  // both on the ray
             const double t = along_it ? ta : ta + sa / (sa - sb) * (tb - ta);
             low = std::min({low, t, along_it ? tb : t});
@@ -96,15 +96,17 @@ double SheetCover::reach(const Vec2& from, const Vec2& way, double most) noexcep
     return begun ? reached : 0;
 }
 
-double SheetCover::margin(const Vec2& from, const Vec2& outward, int ways, double most) noexcept {
-    assert(ways >= 1);
+double SheetCover::margin(const Vec2& from, const Vec2& outward, int directions,
+                          double most) noexcept {
+    assert(directions >= 1);
     double least = reach(from, outward, most);
-    const double step = 0.5 * std::numbers::pi / ways;
-    for (int i = 1; i <= ways && least > 0; ++i) {
+    const double step = 0.5 * std::numbers::pi / directions;
+    for (int i = 1; i <= directions && least > 0; ++i) {
         for (const int side : {-1, 1}) {
             const double angle = side * i * step, c = std::cos(angle), s = std::sin(angle);
-            const Vec2 way(c * outward.x() - s * outward.y(), s * outward.x() + c * outward.y());
-            least = std::min(least, reach(from, way, most));
+            const Vec2 direction(c * outward.x() - s * outward.y(),
+                                 s * outward.x() + c * outward.y());
+            least = std::min(least, reach(from, direction, most));
         }
     }
     return least;

@@ -25,13 +25,14 @@ class SheetCover {
 
     [[nodiscard]] size_t faces() const noexcept { return face_.size(); }
     [[nodiscard]] bool covers(const Vec2& p) const noexcept;
-    /// Way [m] from `from` along the unit vector `way` that is covered without a gap; 0 where
-    /// `from` itself is open, and at most `most` [m].
-    [[nodiscard]] double reach(const Vec2& from, const Vec2& way, double most) noexcept;
-    /// Least reach() into the half plane on the side of `outward`: along it, and along `ways` to
-    /// either side of it, evenly spread over a right angle. A straight rim between two of them is
-    /// missed by 1 - cos(45 degrees / ways) of the reach at most: 0.034 % for 30. @pre ways >= 1.
-    [[nodiscard]] double margin(const Vec2& from, const Vec2& outward, int ways,
+    /// Length [m] from `from` along the unit vector `direction` that is covered without a gap; 0
+    /// where `from` itself is open, and at most `most` [m].
+    [[nodiscard]] double reach(const Vec2& from, const Vec2& direction, double most) noexcept;
+    /// Least reach() into the half plane on the side of `outward`: along it, and along `directions`
+    /// to either side of it, evenly spread over a right angle. A straight rim between two of them
+    /// is missed by 1 - cos(45 degrees / directions) of the reach at most: 0.034 % for 30. @pre
+    /// directions >= 1.
+    [[nodiscard]] double margin(const Vec2& from, const Vec2& outward, int directions,
                                 double most) noexcept;
     /// Share of one face [0..1] that lies in folds: where m layers lie over each other at its
     /// middle, 1 - 1 / m of each, so that their sum is what the sheet covers less; where nothing

@@ -10,8 +10,8 @@ namespace {
 /// Pressure lost a m3/s between a level and the next [Pa s/m3].
 double resistance(const SlitStretch& s, size_t level) noexcept {
     const double a = s.gap_m[level], b = s.gap_m[level + 1];
-    const double way = s.depth_m[level + 1] - s.depth_m[level];
-    return 12 * kFluidPaS * way * (a + b) / (2 * a * a * b * b * s.length_m);
+    const double path = s.depth_m[level + 1] - s.depth_m[level];
+    return 12 * kFluidPaS * path * (a + b) / (2 * a * a * b * b * s.length_m);
 }
 
 /// Of p = orifice Q^2 + viscous Q, without a difference of near numbers.

@@ -58,10 +58,10 @@ class WayToWall {
     }
     void look_at(const Vec3& p, const Triangle& face) noexcept {
         const Vec3 w = closest_on_triangle(p, face);
-        const Vec3 way = w.x() * face[0] + w.y() * face[1] + w.z() * face[2] - p;
-        if (way.squaredNorm() >= best2_) return;
-        best2_ = way.squaredNorm();
-        way_ = way;
+        const Vec3 offset = w.x() * face[0] + w.y() * face[1] + w.z() * face[2] - p;
+        if (offset.squaredNorm() >= best2_) return;
+        best2_ = offset.squaredNorm();
+        way_ = offset;
     }
 
     const Slit& slit_;

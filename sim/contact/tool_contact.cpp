@@ -27,21 +27,21 @@ bool touches(const Scene& scene, const State& state, int t) noexcept {
 /// A tool and the hand that holds it.
 struct Held {
     ToolState& tool;
-    double grip_n_m = 0;
+    double hand_n_m = 0;
     Vec3 hand_m;
 
-    [[nodiscard]] Vec3 way_m() const noexcept { return hand_m - tool.proxy.p; }
+    [[nodiscard]] Vec3 offset_m() const noexcept { return hand_m - tool.proxy.p; }
     /// What hand and tissue push along n [N].
     [[nodiscard]] double push_n(const Vec3& n) const noexcept {
-        return (grip_n_m * way_m() + tool.substep_force_n).dot(n);
+        return (hand_n_m * offset_m() + tool.substep_force_n).dot(n);
     }
 };
 
 /// n from a to b.
 void part(Held& a, Held& b, const Vec3& n, double overlap_m, double longest_m) noexcept {
-    const double sum = a.grip_n_m + b.grip_n_m;
-    a.tool.proxy.p -= b.grip_n_m / sum * overlap_m * n;
-    b.tool.proxy.p += a.grip_n_m / sum * overlap_m * n;
+    const double sum = a.hand_n_m + b.hand_n_m;
+    a.tool.proxy.p -= b.hand_n_m / sum * overlap_m * n;
+    b.tool.proxy.p += a.hand_n_m / sum * overlap_m * n;
     const Vec3 shift = std::clamp((a.push_n(n) + b.push_n(n)) / sum, -longest_m, longest_m) * n;
     a.tool.proxy.p += shift;
     b.tool.proxy.p += shift;
@@ -62,8 +62,8 @@ ToolGap gap_between(const ToolShape& a, const Pose& X_WA, const ToolShape& b,
             const double length = std::sqrt(segment_segment(p0, p1, q0, q1, s, t));
             const double reach = radius_at(p, s) + radius_at(q, t);
             if (length - reach >= best.value_m) continue;
-            const Vec3 way = q0 + t * (q1 - q0) - p0 - s * (p1 - p0);
-            best = {length - reach, reach, length > 0 ? Vec3(way / length) : Vec3::Zero()};
+            const Vec3 offset = q0 + t * (q1 - q0) - p0 - s * (p1 - p0);
+            best = {length - reach, reach, length > 0 ? Vec3(offset / length) : Vec3::Zero()};
         }
     }
     return best;
@@ -80,15 +80,15 @@ void part_tools(const Scene& scene, State& state, std::span<const Vec3> hands_m,
                 side.setZero();
                 continue;
             }
-            Held first{state.tools[a], scene.tools[a].grip_n_m, hands_m[a]};
-            Held second{state.tools[b], scene.tools[b].grip_n_m, hands_m[b]};
+            Held first{state.tools[a], scene.tools[a].hand_n_m, hands_m[a]};
+            Held second{state.tools[b], scene.tools[b].hand_n_m, hands_m[b]};
             const ToolGap gap =
                 gap_between(shapes[a], first.tool.proxy, shapes[b], second.tool.proxy);
             // On the other side of each other than before: they have been carried through.
             const bool through = gap.n.dot(side) < 0 && gap.value_m < kForgetM;
             const double overlap = through ? 2 * gap.reach_m + gap.value_m : -gap.value_m;
             const Vec3 n = through ? Vec3(-gap.n) : gap.n;
-            const bool let_go = overlap + (first.way_m() - second.way_m()).dot(n) > kLetGoM;
+            const bool let_go = overlap + (first.offset_m() - second.offset_m()).dot(n) > kLetGoM;
             side = gap.value_m > kForgetM || let_go ? Vec3::Zero() : n;
             if (!(overlap > 0) || let_go) continue;
             part(first, second, n, overlap, std::min(longest_m[a], longest_m[b]));

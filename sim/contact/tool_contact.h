@@ -3,7 +3,7 @@
 #pragma once
 // Instruments against each other: steel does not give way, the hands do. After the instruments have
 // moved, two that overlap are moved apart along the line between the nearest points of their axes,
-// each by the share that its hand yields (ToolSpec::grip_n_m). Without friction.
+// each by the share that its hand yields (ToolSpec::hand_n_m). Without friction.
 //
 // The side on which they first met is remembered: hands that cross in the air do not carry the
 // shafts through each other. Instruments whose hands are farther through than kLetGoM are let pass,

@@ -54,13 +54,13 @@ struct ToolSpec {
     double cut_power_w = 12;        ///< Generator setting, yellow pedal.
     double coag_power_w = 12;       ///< Generator setting, blue pedal.
     double efficiency = 0.5;        ///< Share of the power that reaches tissue.
-    double grip_n_m = 600;  ///< Stiffness of the hand's hold on the tip, for the proxy [N/m].
+    double hand_n_m = 600;  ///< Stiffness of the hand's hold on the tip, for the proxy [N/m].
     // Grasper and scissors; tip_length_m is the length of jaws or blades.
-    double jaw_open_rad = 0.96;  ///< Widest angle between the jaws [rad].
-    double jaw_width_m = 0.002;  ///< Width of a jaw [m].
-    double jaw_grip_m = 0.0012;  ///< Jaws nearer than this at the tip touch what is between [m].
-    double jaw_force_n = 1.0;    ///< Jaw force when squeezed fully [N].
-    double jaw_friction = 0.8;   ///< Serrated jaw on tissue, effective [-].
+    double jaw_open_rad = 0.96;   ///< Widest angle between the jaws [rad].
+    double jaw_width_m = 0.002;   ///< Width of a jaw [m].
+    double jaw_touch_m = 0.0012;  ///< Jaws nearer than this at the tip touch what is between [m].
+    double jaw_force_n = 1.0;     ///< Jaw force when squeezed fully [N].
+    double jaw_friction = 0.8;    ///< Serrated jaw on tissue, effective [-].
 };
 
 /// What the hand asks: one per tool and frame. Stored bit for bit in the recording, hence float.

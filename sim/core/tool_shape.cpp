@@ -170,14 +170,14 @@ ToolShape make_tool_shape(const ToolSpec& spec) noexcept {
 namespace {
 
 /// Where a point lies beside a round cone, in the half-plane of the axis.
-struct Beside {
+struct ConeDistance {
     double rho = 0, s = 0;  // from the axis; behind the first centre
     double value_m = 0;
     int end = 0;  // -1 = at the first sphere, 1 = at the last, 0 = between them
 };
 
-Beside beside(const RoundCone& part, const Vec3& p_T) noexcept {
-    Beside at;
+ConeDistance cone_distance(const RoundCone& part, const Vec3& p_T) noexcept {
+    ConeDistance at;
     const double h = part.far_m - part.near_m, a = part.cosine, b = part.sine;
     at.rho = length2(p_T.x(), p_T.y());
     at.s = -p_T.z() - part.near_m;
@@ -195,7 +195,7 @@ Beside beside(const RoundCone& part, const Vec3& p_T) noexcept {
 }  // namespace
 
 Distance signed_distance(const RoundCone& part, const Vec3& p_T) noexcept {
-    const Beside at = beside(part, p_T);
+    const ConeDistance at = cone_distance(part, p_T);
     Distance d;
     d.value_m = at.value_m;
     const Vec3 radial =
@@ -216,12 +216,12 @@ Distance signed_distance(const RoundCone& part, const Vec3& p_T) noexcept {
 double distance_value(const ToolShape& shape, const Vec3& p_T) noexcept {
     double best = 0;
     if (shape.spread())
-        best = std::min(beside(shape.parts[0], Jaw(shape, 1).seen(p_T)).value_m,
-                        beside(shape.parts[0], Jaw(shape, -1).seen(p_T)).value_m);
+        best = std::min(cone_distance(shape.parts[0], Jaw(shape, 1).seen(p_T)).value_m,
+                        cone_distance(shape.parts[0], Jaw(shape, -1).seen(p_T)).value_m);
     else
-        best = beside(shape.parts[0], p_T).value_m;
+        best = cone_distance(shape.parts[0], p_T).value_m;
     for (int i = 1; i < shape.count; ++i)
-        best = std::min(best, beside(shape.parts[i], p_T).value_m);
+        best = std::min(best, cone_distance(shape.parts[i], p_T).value_m);
     return best;
 }
 
@@ -299,7 +299,7 @@ struct Seeker {
 
 bool Seeker::look_at(const RoundCone& part, int number, TriangleDistance& best) const noexcept {
     // The distance changes by no more than the way, so most triangles end here.
-    if (beside(part, centre).value_m > best.value_m + size) return false;
+    if (cone_distance(part, centre).value_m > best.value_m + size) return false;
     bool pierced = false;
     Vec3 w = nearest_to_axis(part, tri, pierced);
     Vec3 x = w.x() * tri[0] + w.y() * tri[1] + w.z() * tri[2];

@@ -36,7 +36,7 @@ void list_choices(State& state, const SlideChooser& chooser, double from_m, doub
 SlideChoice* shortest(State::Scratch& scratch) noexcept {
     SlideChoice* best = nullptr;
     for (SlideChoice& one : scratch.choices) {
-        if (one.way_m >= 0 && (best == nullptr || one.way_m < best->way_m)) best = &one;
+        if (one.shift_m >= 0 && (best == nullptr || one.shift_m < best->shift_m)) best = &one;
     }
     return best;
 }
@@ -45,13 +45,13 @@ SlideChoice* shortest(State::Scratch& scratch) noexcept {
 void choose_again(const Scene& scene, State& state, const SlideChooser& chooser,
                   int32_t slid) noexcept {
     const uint32_t stamp = ++state.scratch->stamp;
-    auto& beside = state.scratch->beside_blade;
+    auto& near = state.scratch->near_blade;
     for (const int32_t t : tets_around(scene.body, state.body, slid)) {
-        for (const int32_t v : corners(scene.body, state.body, t)) beside[as_index(v)] = stamp;
+        for (const int32_t v : corners(scene.body, state.body, t)) near[as_index(v)] = stamp;
     }
     for (SlideChoice& one : state.scratch->choices) {
         const int32_t v = one.slide.vertex;
-        if (beside[as_index(v)] != stamp) continue;
+        if (near[as_index(v)] != stamp) continue;
         one = chooser.crossed(v) ? chooser.choose(v) : SlideChoice{};
         one.slide.vertex = v;
     }
@@ -83,7 +83,7 @@ bool slide_to_blades(const Scene& scene, State& state, Scissors& s,
             break;
         }
         const Slide slide = one->slide;
-        one->way_m = -1;
+        one->shift_m = -1;
         if (!slide_vertex(scene.body, state.body, slide, SlideLimits{})) {
             ++state.slides_refused;
             continue;

@@ -113,7 +113,8 @@ class Bite {
         if (state_.body.x[v].w == 0 && !state_.pieces.resting[v]) return;
         const Vec3 p = to_tool_ * position(state_.body, v);
         if (p.z() > reach_ || p.z() < -spec_.tip_length_m || std::abs(p.x()) > half_) return;
-        const double gap = std::max(slope_ * (spec_.tip_length_m + p.z()), 0.25 * spec_.jaw_grip_m);
+        const double gap =
+            std::max(slope_ * (spec_.tip_length_m + p.z()), 0.25 * spec_.jaw_touch_m);
         if (std::abs(p.y()) > gap) return;
         state_.held_by[v] = static_cast<int8_t>(tool_);
         grasp_.held[grasp_.count++] = {
@@ -235,8 +236,8 @@ void slip(const Scene& scene, State& state, int t, const Vec3& force, double sti
     const ToolSpec& spec = scene.tools[t];
     const double pull = force.norm(), limit = 2 * spec.jaw_friction * g.pinch_n;
     if (!(pull > limit) || !(stiffness > 0)) return;
-    const double way = std::min(kSlipPerSubstep, (pull - limit) / stiffness);
-    const Vec3 slide_T = state.tools[t].proxy.q.conjugate() * (way / pull * force);
+    const double path = std::min(kSlipPerSubstep, (pull - limit) / stiffness);
+    const Vec3 slide_T = state.tools[t].proxy.q.conjugate() * (path / pull * force);
     for (int i = g.count - 1; i >= 0; --i) {
         GraspedVertex& held = g.held[i];
         // The jaws close off y: tissue slides along them.
@@ -247,7 +248,7 @@ void slip(const Scene& scene, State& state, int t, const Vec3& force, double sti
             drop(scene, state, g, i);
         }
     }
-    g.slip_m += static_cast<float>(way);
+    g.slip_m += static_cast<float>(path);
     g.slip_peak_n = std::max(g.slip_peak_n, static_cast<float>(pull));
     g.slip_pause_s = 0;
 }
@@ -255,7 +256,7 @@ void slip(const Scene& scene, State& state, int t, const Vec3& force, double sti
 }  // namespace
 
 double grip_angle(const ToolSpec& spec) noexcept {
-    const double sine = spec.jaw_grip_m / std::max(2 * spec.tip_length_m, spec.jaw_grip_m);
+    const double sine = spec.jaw_touch_m / std::max(2 * spec.tip_length_m, spec.jaw_touch_m);
     // asin by its series: the library's last bit depends on the processor, and 2 % do not matter.
     return 2 * (sine + sine * sine * sine / 6);
 }

@@ -14,9 +14,9 @@ namespace placode::sim {
 template <class Seen, class Visit>
 void for_linked(const Scene& scene, const State& state, int32_t tet, Seen&& seen,
                 Visit&& visit) noexcept {
-    const auto& beside = scene.surface.neighbours()[static_cast<size_t>(tet)];
+    const auto& neighbours = scene.surface.neighbours()[static_cast<size_t>(tet)];
     for (int f = 0; f < 4; ++f) {
-        const int32_t other = beside[static_cast<size_t>(f)];
+        const int32_t other = neighbours[static_cast<size_t>(f)];
         if (other < 0 || seen(other) || state.surface.on_surface(tet, f) ||
             state.body.tet_alive[static_cast<size_t>(other)] == 0)
             continue;

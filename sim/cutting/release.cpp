@@ -18,7 +18,7 @@ namespace {
 
 // Sectors to either side in which a path may run: 35 degrees are 1.8 mm at the narrowest, some
 // three edges of the mesh; a narrower wedge would miss paths that are there.
-constexpr int kBeside = 3;
+constexpr int kSectorsAside = 3;
 constexpr double kNearLine = 0.0014;  // around a point of the outline [m]
 
 bool counts_for_release(Tissue t) noexcept {
@@ -79,8 +79,9 @@ bool sector_free(const Scene& scene, State& state, int s) noexcept {
             scene, state, t, [&](int32_t other) noexcept { return seen[other] == stamp; },
             [&](int32_t other) noexcept {
                 if (!counts_for_release(tissue[other])) return;
-                const int away = (search.sector_of_tet[other] - s + kSectors + kBeside) % kSectors;
-                if (away > 2 * kBeside) return;
+                const int away =
+                    (search.sector_of_tet[other] - s + kSectors + kSectorsAside) % kSectors;
+                if (away > 2 * kSectorsAside) return;
                 seen[other] = stamp;
                 search.reached_by[other] = t;
                 queue[end++] = other;

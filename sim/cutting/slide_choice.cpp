@@ -69,7 +69,7 @@ SlideChoice SlideChooser::choose(int32_t vertex) const noexcept {
     try_all(search);
     // Where tissues meet, their border bends a little before the cut does; not the placode's.
     search.strict = (search.here.tissues & kPlacodeBit) != 0 || search.here.crease();
-    if (search.best.way_m < 0 && !search.strict) try_all(search);
+    if (search.best.shift_m < 0 && !search.strict) try_all(search);
     return search.best;
 }
 
@@ -144,13 +144,13 @@ void SlideChooser::try_simplex(Search& search,
         across[i] = place(v).x() - search.at.x();
     }
     const Eigen::Matrix<double, N, N> metric = rest.transpose() * rest;
-    const Eigen::Matrix<double, N, 1> way = metric.inverse() * across;
-    const double slope = across.dot(way);
+    const Eigen::Matrix<double, N, 1> steepest = metric.inverse() * across;
+    const double slope = across.dot(steepest);
     if (!(slope > 0)) return;
-    const Eigen::Matrix<double, N, 1> w = -search.at.x() / slope * way;
+    const Eigen::Matrix<double, N, 1> w = -search.at.x() / slope * steepest;
     if (!(w.minCoeff() >= 0 && w.sum() <= scene_.cut_snap)) return;
     const auto length = static_cast<float>((rest * w).norm());
-    if (search.best.way_m >= 0 && length >= search.best.way_m) return;
+    if (search.best.shift_m >= 0 && length >= search.best.shift_m) return;
     if (N == 1 && !may_follow_edge(search, towards[0])) return;
     Slide slide{search.vertex, towards, {}};
     for (int i = 0; i < N; ++i) slide.share[static_cast<size_t>(i)] = static_cast<float>(w[i]);

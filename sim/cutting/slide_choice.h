@@ -21,7 +21,7 @@ class SlideChooser {
     [[nodiscard]] Vec3 place(int32_t v) const noexcept { return met_at(blades_, state_.body, v); }
     /// True when the plane crosses an edge of the vertex between the blades.
     [[nodiscard]] bool crossed(int32_t vertex) const noexcept;
-    /// way_m < 0 where there is none.
+    /// shift_m < 0 where there is none.
     [[nodiscard]] SlideChoice choose(int32_t vertex) const noexcept;
 
  private:

@@ -71,8 +71,8 @@ void wash_debris(const Scene& scene, State& state, const Pose& tip, double hit_m
             const Vec3 middle = tip * Vec3(0, 0, hit_m);
             const Vec2 away = (place - middle).head<2>();
             if (!(away.norm() > 1e-6)) continue;
-            const Vec2 way = kPushM_s * dt_s * away.normalized();
-            for (int k = 0; k < 2; ++k) one.at_m[as_index(k)] += static_cast<float>(way[k]);
+            const Vec2 offset = kPushM_s * dt_s * away.normalized();
+            for (int k = 0; k < 2; ++k) one.at_m[as_index(k)] += static_cast<float>(offset[k]);
             continue;
         }
         if (shear < irrigation.law.adhesion_pa[kind]) continue;
@@ -106,16 +106,17 @@ void run_jet(const Scene& scene, State& state, int t, double dt_s) noexcept {
     const Pose& tip = state.tools[as_index(t)].proxy;
     const Vec3 along = tip.q * Vec3::UnitZ();
     const RayHit axis = first_hit(state, tip.p, along, kJetReachM);
-    now.tips[as_index(t)].jet_m = static_cast<float>(axis.triangle < 0 ? kJetReachM : axis.way_m);
+    now.tips[as_index(t)].jet_m =
+        static_cast<float>(axis.triangle < 0 ? kJetReachM : axis.distance_m);
     const double flow = jet_flow_m3_s(irrigation.jet) * dt_s;
     now.jet_m3 += flow;
-    const double hit_m = std::max(axis.way_m, 1e-4);
+    const double hit_m = std::max(axis.distance_m, 1e-4);
     const double width = jet_width_m(irrigation.jet, hit_m), bore = jet_width_m(irrigation.jet, 0);
     const Vec3 middle = tip * Vec3(0, 0, hit_m);
     for (const Vec2& line : kLines) {
         const Vec3 from = tip * Vec3(bore * line.x(), bore * line.y(), 0);
-        const Vec3 way = tip * Vec3(width * line.x(), width * line.y(), hit_m) - from;
-        const RayHit hit = first_hit(state, from, way.normalized(), kJetReachM);
+        const Vec3 offset = tip * Vec3(width * line.x(), width * line.y(), hit_m) - from;
+        const RayHit hit = first_hit(state, from, offset.normalized(), kJetReachM);
         if (hit.triangle < 0) {
             add_fluid(now.pool, -1, flow / kRays, 0);
             continue;
@@ -142,7 +143,7 @@ void run_jet(const Scene& scene, State& state, int t, double dt_s) noexcept {
         const Vec3 rest = at_rest(scene, state, face, hit.weight);
         for (int k = 0; k < 3; ++k) now.peak_rest_m[as_index(k)] = static_cast<float>(rest[k]);
     }
-    if (axis.triangle >= 0) wash_debris(scene, state, tip, axis.way_m, dt_s);
+    if (axis.triangle >= 0) wash_debris(scene, state, tip, axis.distance_m, dt_s);
 }
 
 }  // namespace placode::sim

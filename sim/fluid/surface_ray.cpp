@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kRayStale = 2e-4;  // boxes may be those of the frame before [m]
 
-/// Whether the line comes into the box, grown a little, before `way_m`.
+/// Whether the line comes into the box, grown a little, before `distance_m`.
 bool enters(const SurfaceTree::Box& box, const Vec3& from, const Vec3& along,
-            double way_m) noexcept {
-    double near = 0, far = way_m;
+            double distance_m) noexcept {
+    double near = 0, far = distance_m;
     for (int k = 0; k < 3; ++k) {
         const auto i = static_cast<size_t>(k);
         const double low = static_cast<double>(box.low[i]) - kRayStale - from[k],
@@ -38,10 +38,10 @@ bool enters(const SurfaceTree::Box& box, const Vec3& from, const Vec3& along,
 RayHit first_hit(const State& state, const Vec3& from, const Vec3& direction,
                  double reach_m) noexcept {
     RayHit best;
-    best.way_m = reach_m;
+    best.distance_m = reach_m;
     state.surface.tree().walk(
         [&](const SurfaceTree::Box& box) noexcept {
-            return !enters(box, from, direction, best.way_m);
+            return !enters(box, from, direction, best.distance_m);
         },
         [&](int slot) noexcept {
             const auto& v = state.surface.triangles()[as_index(slot)].vertex;
@@ -51,10 +51,10 @@ RayHit first_hit(const State& state, const Vec3& from, const Vec3& direction,
             const double det = ab.dot(p);
             if (!(det > 1e-14)) return;  // seen from behind, or from the edge [m2]
             const Vec3 s = from - a, q = s.cross(ab);
-            const double u = s.dot(p) / det, w = direction.dot(q) / det, way = ac.dot(q) / det;
-            if (u < 0 || w < 0 || u + w > 1 || way < 0 || way >= best.way_m) return;
+            const double u = s.dot(p) / det, w = direction.dot(q) / det, distance = ac.dot(q) / det;
+            if (u < 0 || w < 0 || u + w > 1 || distance < 0 || distance >= best.distance_m) return;
             best.triangle = slot;
-            best.way_m = way;
+            best.distance_m = distance;
             best.weight = Vec3(1 - u - w, u, w);
             best.normal = ab.cross(ac).normalized();
         });

@@ -11,7 +11,7 @@ struct State;
 
 struct RayHit {
     int triangle = -1;  ///< Into SurfaceState::triangles(); -1 = nothing within reach.
-    double way_m = 0;
+    double distance_m = 0;
     Vec3 weight = Vec3::Zero();
     Vec3 normal = Vec3::UnitZ();  ///< Outward.
 };

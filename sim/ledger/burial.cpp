@@ -17,7 +17,7 @@ constexpr double kBoxSlackM = 1e-3;   // boxes are those of a frame ago
 
 /// The shaft from a point at the tip towards the hand.
 struct ShaftRay {
-    Vec3 from, way;
+    Vec3 from, direction;
 
     [[nodiscard]] bool misses(const SurfaceTree::Box& box) const noexcept {
         double first = 0, last = kLookBackM;
@@ -25,11 +25,11 @@ struct ShaftRay {
             const auto axis = static_cast<size_t>(k);
             const double low = static_cast<double>(box.low[axis]) - kBoxSlackM - from[k];
             const double high = static_cast<double>(box.high[axis]) + kBoxSlackM - from[k];
-            if (std::abs(way[k]) < 1e-12) {
+            if (std::abs(direction[k]) < 1e-12) {
                 if (low > 0 || high < 0) return true;
                 continue;
             }
-            const double a = low / way[k], b = high / way[k];
+            const double a = low / direction[k], b = high / direction[k];
             first = std::max(first, std::min(a, b));
             last = std::min(last, std::max(a, b));
         }
@@ -46,10 +46,10 @@ struct Crossing {
 bool leaves(const ShaftRay& ray, const Vec3& a, const Vec3& b, const Vec3& c,
             Crossing& out) noexcept {
     const Vec3 ab = b - a, ac = c - a, area = ab.cross(ac);
-    const double facing = area.dot(ray.way);
+    const double facing = area.dot(ray.direction);
     if (!(facing > 0)) return false;
     const Vec3 to = ray.from - a;
-    const Vec3 q = to.cross(ray.way);
+    const Vec3 q = to.cross(ray.direction);
     const double v = ac.dot(q) / -facing, w = ab.dot(q) / facing;
     if (v < 0 || w < 0 || v + w > 1) return false;
     out.at_m = -to.dot(area) / facing;
@@ -87,7 +87,7 @@ Burial burial_of(const Scene& scene, const State& state, int t) noexcept {
                         position(state.body, v[2]), crossing))
                 return;
             const double length = crossing.at_m + (blades ? 0 : radius);
-            const double depth = length * crossing.normal.dot(ray.way);
+            const double depth = length * crossing.normal.dot(ray.direction);
             if (depth < kBuriedM || length <= out.length_m) return;
             out = {depth, length, Vec3::Zero(), triangles[i].tissue};
             for (int k = 0; k < 3; ++k)

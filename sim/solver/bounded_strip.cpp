@@ -34,20 +34,20 @@ int BoundedStrip::local(size_t f, int32_t vertex) const noexcept {
     return -1;
 }
 
-/// beside_[f][k] = triangle over the edge opposite to local vertex k; edges are met twice, in
+/// neighbours_[f][k] = triangle over the edge opposite to local vertex k; edges are met twice, in
 /// opposite directions, because the link is oriented.
 void BoundedStrip::find_neighbours() noexcept {
     const size_t n = triangles_.size();
-    for (size_t f = 0; f < n; ++f) beside_[f] = {-1, -1, -1};
+    for (size_t f = 0; f < n; ++f) neighbours_[f] = {-1, -1, -1};
     for (size_t f = 0; f < n; ++f) {
         for (int k = 0; k < 3; ++k) {
-            if (beside_[f][static_cast<size_t>(k)] >= 0) continue;
+            if (neighbours_[f][static_cast<size_t>(k)] >= 0) continue;
             const int32_t a = corner(f, k + 1), b = corner(f, k + 2);
             for (size_t g = f + 1; g < n; ++g) {
                 for (int m = 0; m < 3; ++m) {
                     if (corner(g, m + 1) != b || corner(g, m + 2) != a) continue;
-                    beside_[f][static_cast<size_t>(k)] = static_cast<int8_t>(g);
-                    beside_[g][static_cast<size_t>(m)] = static_cast<int8_t>(f);
+                    neighbours_[f][static_cast<size_t>(k)] = static_cast<int8_t>(g);
+                    neighbours_[g][static_cast<size_t>(m)] = static_cast<int8_t>(f);
                 }
             }
         }
@@ -68,9 +68,9 @@ void BoundedStrip::run(size_t first, int last_corner) noexcept {
     }
 }
 
-int BoundedStrip::ways_on(size_t f) const noexcept {
+int BoundedStrip::open_sides(size_t f) const noexcept {
     int n = 0;
-    for (const int g : beside_[f]) n += g >= 0 && visited_[static_cast<size_t>(g)] == 0 ? 1 : 0;
+    for (const int g : neighbours_[f]) n += g >= 0 && visited_[static_cast<size_t>(g)] == 0 ? 1 : 0;
     return n;
 }
 
@@ -99,18 +99,18 @@ void BoundedStrip::choose_older(bool keep) noexcept {
     pair_[0] = keep ? before_[0] : before_[1];
 }
 
-/// Next triangle over one of the two new edges: the one with fewer ways on. -1 = dead end.
+/// Next triangle over one of the two new edges: the one with fewer sides on. -1 = dead end.
 int BoundedStrip::follow(int current) noexcept {
-    int best = -1, best_ways = 4;
+    int best = -1, best_sides = 4;
     bool best_keep = false;
     for (const bool keep : {false, true}) {
         const int gone = local(static_cast<size_t>(current), before_[keep ? 1 : 0]);
-        const int g = beside_[static_cast<size_t>(current)][static_cast<size_t>(gone)];
+        const int g = neighbours_[static_cast<size_t>(current)][static_cast<size_t>(gone)];
         if (g < 0 || visited_[static_cast<size_t>(g)] != 0) continue;
-        const int ways = ways_on(static_cast<size_t>(g));
-        if (ways < best_ways) {
+        const int sides = open_sides(static_cast<size_t>(g));
+        if (sides < best_sides) {
             best = g;
-            best_ways = ways;
+            best_sides = sides;
             best_keep = keep;
         }
     }
@@ -126,7 +126,7 @@ int BoundedStrip::restart() noexcept {
         if (visited_[f] != 0) continue;
         const bool newest = local(f, pair_[1]) >= 0;
         const bool older = local(f, before_[0]) >= 0 || local(f, before_[1]) >= 0;
-        const int cost = (newest ? 0 : older ? 4 : 8) + ways_on(f);
+        const int cost = (newest ? 0 : older ? 4 : 8) + open_sides(f);
         if (cost < best_cost) {
             best = f;
             best_cost = cost;

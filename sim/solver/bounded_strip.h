@@ -32,7 +32,7 @@ class BoundedStrip {
         return triangles_[f].vertex[static_cast<size_t>(k % 3)];
     }
     [[nodiscard]] int local(size_t f, int32_t vertex) const noexcept;
-    [[nodiscard]] int ways_on(size_t f) const noexcept;
+    [[nodiscard]] int open_sides(size_t f) const noexcept;
     void load(int32_t vertex, bool keep) noexcept;
     [[nodiscard]] int enter(size_t f) noexcept;
     void choose_older(bool keep) noexcept;
@@ -40,7 +40,7 @@ class BoundedStrip {
     [[nodiscard]] int restart() noexcept;
 
     std::span<const LinkTriangle> triangles_;
-    std::array<std::array<int8_t, 3>, kMostTriangles> beside_{};
+    std::array<std::array<int8_t, 3>, kMostTriangles> neighbours_{};
     std::array<StripStep, 3 * kMostTriangles> steps_{}, best_{};
     std::array<int16_t, kMostTriangles> met_{}, best_met_{};
     std::array<uint8_t, kMostTriangles> visited_{};

@@ -20,7 +20,7 @@ void use_double_float(SoftBodyState& state) {
     state.x_start_low.resize(state.x.size());
 }
 
-Vec3 way_in_substep(const SoftBodyState& state, int vertex) noexcept {
+Vec3 moved_in_substep(const SoftBodyState& state, int vertex) noexcept {
     const auto i = as_index(vertex);
     const Vec3 rounded = to_vec(state.x[i]) - to_vec(state.x_start[i]);
     if (state.x_low.empty()) return rounded;

@@ -22,7 +22,7 @@ void use_double_float(SoftBodyState& state);
 }
 
 /// How far a vertex has come in this substep [m], likewise.
-[[nodiscard]] Vec3 way_in_substep(const SoftBodyState& state, int vertex) noexcept;
+[[nodiscard]] Vec3 moved_in_substep(const SoftBodyState& state, int vertex) noexcept;
 
 /// Moves a vertex by `step` [m], rounded to a float itself, likewise.
 void move_vertex(SoftBodyState& state, int vertex, const Vec3& step) noexcept;

@@ -10,8 +10,8 @@ namespace {
 class Builder {
  public:
     explicit Builder(const std::vector<LinkTriangle>& triangles)
-        : triangles_(triangles), beside_(triangles.size(), {-1, -1, -1}) {
-        // beside_[f][k] = triangle over the edge opposite to local vertex k.
+        : triangles_(triangles), neighbours_(triangles.size(), {-1, -1, -1}) {
+        // neighbours_[f][k] = triangle over the edge opposite to local vertex k.
         for (size_t f = 0; f < triangles.size(); ++f) {
             for (size_t g = 0; g < triangles.size(); ++g) {
                 if (f == g) continue;
@@ -23,7 +23,7 @@ class Builder {
                         odd = k;
                     }
                 }
-                if (shared == 2) beside_[f][static_cast<size_t>(odd)] = static_cast<int>(g);
+                if (shared == 2) neighbours_[f][static_cast<size_t>(odd)] = static_cast<int>(g);
             }
         }
     }
@@ -54,9 +54,9 @@ class Builder {
         }
         return -1;
     }
-    [[nodiscard]] int unvisited_beside(size_t f) const {
+    [[nodiscard]] int unvisited_neighbours(size_t f) const {
         int n = 0;
-        for (const int g : beside_[f]) n += g >= 0 && visited_[static_cast<size_t>(g)] == 0;
+        for (const int g : neighbours_[f]) n += g >= 0 && visited_[static_cast<size_t>(g)] == 0;
         return n;
     }
 
@@ -84,19 +84,19 @@ class Builder {
         pair_[0] = keep ? before_[0] : before_[1];
     }
 
-    /// Next triangle over one of the two new edges: the one with fewer ways on. -1 = dead end.
+    /// Next triangle over one of the two new edges: the one with fewer sides on. -1 = dead end.
     int follow(int current) {
-        int best = -1, best_ways = 4;
+        int best = -1, best_sides = 4;
         bool best_keep = false;
         for (const bool keep : {false, true}) {
             // The edge (kept, P) lies opposite to the vertex that goes.
             const int gone = local(static_cast<size_t>(current), before_[keep ? 1 : 0]);
-            const int g = beside_[static_cast<size_t>(current)][static_cast<size_t>(gone)];
+            const int g = neighbours_[static_cast<size_t>(current)][static_cast<size_t>(gone)];
             if (g < 0 || visited_[static_cast<size_t>(g)] != 0) continue;
-            const int ways = unvisited_beside(static_cast<size_t>(g));
-            if (ways < best_ways) {
+            const int sides = unvisited_neighbours(static_cast<size_t>(g));
+            if (sides < best_sides) {
                 best = g;
-                best_ways = ways;
+                best_sides = sides;
                 best_keep = keep;
             }
         }
@@ -114,7 +114,7 @@ class Builder {
             for (int k = 0; k < 3; ++k) {
                 touches |= local(f, corner(static_cast<size_t>(current), k)) >= 0;
             }
-            const int cost = 4 * (touches ? 1 : 2) + unvisited_beside(f);
+            const int cost = 4 * (touches ? 1 : 2) + unvisited_neighbours(f);
             if (cost < best_cost) {
                 best = f;
                 best_cost = cost;
@@ -139,7 +139,7 @@ class Builder {
     }
 
     const std::vector<LinkTriangle>& triangles_;
-    std::vector<std::array<int, 3>> beside_;
+    std::vector<std::array<int, 3>> neighbours_;
     std::vector<StripStep> steps_;
     std::vector<uint8_t> visited_;
     std::array<int32_t, 2> pair_{}, before_{};

@@ -211,14 +211,14 @@ int place_at_rest(const SoftBody& body, SoftBodyState& state, size_t count) noex
         const size_t v = as_index(state.scratch[i]);
         piece.add(rest_of(body, state, v), state.x[v], state.v[v]);
     }
-    const Vec3 way =
+    const Vec3 offset =
         piece.held > 0 ? Vec3(piece.held_moved / piece.held) : Vec3(piece.moved / piece.vertices);
     const Vec3f u = (piece.velocity / piece.vertices).cast<float>();
     int placed = 0;
     for (size_t i = 0; i < count; ++i) {
         const size_t v = as_index(state.scratch[i]);
         if (state.x[v].w == 0) continue;
-        put_vertex(state, state.scratch[i], rest_of(body, state, v) + way);
+        put_vertex(state, state.scratch[i], rest_of(body, state, v) + offset);
         state.v[v] = {u.x(), u.y(), u.z(), 0};
         ++placed;
     }

@@ -231,7 +231,7 @@ size_t number_in_sheet(std::span<const SheetTriangle> sheet, size_t t) {
 }
 
 /// Triangle `other` in a message about triangle `t`.
-std::string name_beside(std::span<const SheetTriangle> sheet, size_t other, size_t t) {
+std::string other_name(std::span<const SheetTriangle> sheet, size_t other, size_t t) {
     return std::to_string(number_in_sheet(sheet, other)) +
            (sheet[other].tissue == sheet[t].tissue ? "" : " of another sheet");
 }
@@ -249,7 +249,7 @@ void check_sheet(const std::vector<Vec3>& rest, std::span<const SheetTriangle> s
         if (!std::equal(keys[i].begin(), keys[i].begin() + 3, keys[i - 1].begin())) continue;
         const size_t t = as_index(keys[i][3]);
         fail(number_in_sheet(sheet, t), "duplicate of triangle " +
-                                            name_beside(sheet, as_index(keys[i - 1][3]), t) +
+                                            other_name(sheet, as_index(keys[i - 1][3]), t) +
                                             ": same three vertices");
     }
     const std::vector<EdgeSide> edges = sorted_edges(sheet);
@@ -259,8 +259,8 @@ void check_sheet(const std::vector<Vec3>& rest, std::span<const SheetTriangle> s
         fail(number_in_sheet(sheet, t),
              "the edge between vertices " + std::to_string(edges[i][0]) + " and " +
                  std::to_string(edges[i][1]) + " has more than two triangles (also " +
-                 name_beside(sheet, as_index(edges[i - 2][2] / 3), t) + " and " +
-                 name_beside(sheet, as_index(edges[i - 1][2] / 3), t) + ")");
+                 other_name(sheet, as_index(edges[i - 2][2] / 3), t) + " and " +
+                 other_name(sheet, as_index(edges[i - 1][2] / 3), t) + ")");
     }
 }
 

@@ -100,7 +100,7 @@ Sleep::Sleep(const SoftBody& body) {
     }
     member_start.push_back(static_cast<int32_t>(member.size()));
     compress(around, border_start, border);
-    for (std::vector<uint8_t>* flags : {&asleep, &calm, &restless, &beside})
+    for (std::vector<uint8_t>* flags : {&asleep, &calm, &restless, &near_awake})
         flags->assign(as_index(count), 0);
     since.resize(member.size());
     before.resize(border.size());

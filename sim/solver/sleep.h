@@ -58,7 +58,7 @@ struct Sleep {
     // changing
     std::vector<uint8_t> asleep, calm;         ///< (blocks) calm: looks in a row.
     std::vector<uint8_t> restless;             ///< (blocks) 1 = was cut and never sleeps again.
-    std::vector<uint8_t> beside;               ///< (blocks) 1 = asleep, with awake neighbours.
+    std::vector<uint8_t> near_awake;           ///< (blocks) 1 = asleep, with awake neighbours.
     std::vector<std::array<float, 3>> since;   ///< (members) where they were when calm began.
     std::vector<std::array<float, 3>> before;  ///< (borders) where they were when it fell asleep.
     std::vector<uint8_t> vertex_asleep;        ///< (V + spares) 1 = not solved, or fixed.
@@ -71,10 +71,10 @@ struct Sleep {
 template <class Visit>
 void fields(Of<Sleep> auto& s, Visit&& visit) {
     auto& [block, member_start, member, border_start, border, unblocked, leaf_start, leaf_block,
-           tets_start, tets, asleep, calm, restless, beside, since, before, vertex_asleep,
+           tets_start, tets, asleep, calm, restless, near_awake, since, before, vertex_asleep,
            leaf_moves, chunk, tets_move, asleep_count, known_vertices] = s;
     visit.state(asleep, calm, restless, since, before, asleep_count, known_vertices);
-    visit.kept(vertex_asleep, leaf_moves, chunk, tets_move, beside);
+    visit.kept(vertex_asleep, leaf_moves, chunk, tets_move, near_awake);
     visit.constant(block, member_start, member, border_start, border, unblocked, leaf_start,
                    leaf_block, tets_start, tets);
 }

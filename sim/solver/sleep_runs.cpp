@@ -144,12 +144,12 @@ void set_runs(const SoftBody& body, SoftBodyState& state, Sleep& sleep) noexcept
     }
     if (tets) set_held(awake, sleep);
     for (int b = 0; b < sleep.blocks(); ++b) {
-        sleep.beside[as_index(b)] = 0;
+        sleep.near_awake[as_index(b)] = 0;
         if (sleep.asleep[as_index(b)] == 0) continue;
         for (int32_t i = sleep.border_start[as_index(b)]; i < sleep.border_start[as_index(b) + 1];
              ++i) {
             if (sleep.vertex_asleep[as_index(sleep.border[as_index(i)])] == 0)
-                sleep.beside[as_index(b)] = 1;
+                sleep.near_awake[as_index(b)] = 1;
         }
     }
     mark_leaves(sleep);

@@ -121,14 +121,14 @@ HWY_INLINE uint32_t SolveVertexBatch(const KernelArguments& a, int number,
         const V3 start = Gather3(reinterpret_cast<const char*>(a.x_start + b.base), self);
         const V3 velocity = Gather3(reinterpret_cast<const char*>(a.v + b.base), self);
         // x - target from small numbers only; the target as a float has lost most of h^2 g.
-        V3 way = Sub(x, start), low = {zero, zero, zero};
+        V3 offset = Sub(x, start), low = {zero, zero, zero};
         if constexpr (kLow) {
             low = Gather3(reinterpret_cast<const char*>(a.x_low + b.base), self);
-            way =
-                Add(way,
+            offset =
+                Add(offset,
                     Sub(low, Gather3(reinterpret_cast<const char*>(a.x_start_low + b.base), self)));
         }
-        const V3 off = Sub(way, MulAdd(h, velocity, fall));
+        const V3 off = Sub(offset, MulAdd(h, velocity, fall));
         const V inertia = hn::Mul(hn::Load(d, b.mass_kg.data() + lane), inverse_h2);
         const V diagonal = hn::Add(inertia, hn::Load(d, a.lanes + b.lane_start + lane));
         Systems s = {Scale(inertia, off), diagonal, zero, zero, diagonal, zero, diagonal, diagonal};

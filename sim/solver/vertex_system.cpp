@@ -115,7 +115,7 @@ VertexSystem without_sheets(const SoftBody& body, const SoftBodyState& state, in
     // x - target, but from the small numbers: the target as a float has lost most of h^2 g.
     const Vec3 planned = h * to_vec(state.v[i]) + h * h * body.spec().solver.gravity_m_s2;
     if (!state.force_n.empty()) out.gradient = -to_vec(state.force_n[i]);
-    out.gradient += inertia * (way_in_substep(state, vertex) - planned);
+    out.gradient += inertia * (moved_in_substep(state, vertex) - planned);
     out.hessian.diagonal().setConstant(inertia);
     add_elastic(body, state, vertex, out.gradient, out.hessian);
     add_springs(body, state, vertex, out);

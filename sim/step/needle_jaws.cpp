@@ -66,7 +66,7 @@ void begin_hold(const Scene& scene, State& state, int t, double arc_m) noexcept 
 void centre_wire(const Scene& scene, SutureState& needle) noexcept {
     NeedleHold& hold = needle.hold;
     const double before = hold_energy(*scene.suture, needle);
-    hold.X_HN.p.y() -= kCentring * (hold.X_HN * hold.grip_N).y();
+    hold.X_HN.p.y() -= kCentring * (hold.X_HN * hold.held_N).y();
     needle.work.hand += hold_energy(*scene.suture, needle) - before;
 }
 
@@ -168,7 +168,7 @@ double wire_between(const ToolSpec& spec, const Pose& X_WT, const Needle& needle
         const Vec3 p = X_TN * needle.at(s).place_m;
         if (p.z() > kReach || p.z() < -spec.tip_length_m) continue;
         if (std::abs(p.x()) > spec.jaw_width_m / 2) continue;
-        const double gap = std::max(slope * (spec.tip_length_m + p.z()), 0.25 * spec.jaw_grip_m);
+        const double gap = std::max(slope * (spec.tip_length_m + p.z()), 0.25 * spec.jaw_touch_m);
         if (std::abs(p.y()) > gap + needle.spec().wire_radius_m) continue;
         const double off2 = p.x() * p.x() + p.y() * p.y();
         if (best_m >= 0 && off2 >= best2) continue;

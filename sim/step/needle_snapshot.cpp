@@ -106,8 +106,8 @@ void bridge(const State& state, const Vec3& from, const Vec3& to, double slack_m
 }
 
 /// The loop at the end of a barbed thread, flat on what lies below it.
-void add_loop(const State& state, const Vec3& end, const Vec3& way, Line& loop) {
-    Vec3 flat(way.x(), way.y(), 0);
+void add_loop(const State& state, const Vec3& end, const Vec3& offset, Line& loop) {
+    Vec3 flat(offset.x(), offset.y(), 0);
     if (flat.norm() < 1e-3) flat = Vec3::UnitX();
     flat.normalize();
     const Vec3 aside = Vec3::UnitZ().cross(flat);
@@ -120,21 +120,21 @@ void add_loop(const State& state, const Vec3& end, const Vec3& way, Line& loop) 
 }
 
 /// A free end hangs from the way that it leaves tissue or needle, and comes to lie on tissue.
-void hang_end(const State& state, Vec3 at, Vec3 way, double length, bool stopper,
+void hang_end(const State& state, Vec3 at, Vec3 offset, double length, bool stopper,
               NeedleSnapshot& out) {
     for (double s = 0; s < std::min(length, kFreeEndM); s += kStepM) {
-        way = (way - kStepM / kTurnsM * Vec3::UnitZ()).normalized();
-        at += kStepM * way;
+        offset = (offset - kStepM / kTurnsM * Vec3::UnitZ()).normalized();
+        at += kStepM * offset;
         const double ground = height_under(state, at) + kOnTissueM;
         if (at.z() < ground) {
             at.z() = ground;
-            way.z() = std::max(way.z(), 0.0);
-            if (way.norm() < 1e-3) way = Vec3::UnitX();
-            way.normalize();
+            offset.z() = std::max(offset.z(), 0.0);
+            if (offset.norm() < 1e-3) offset = Vec3::UnitX();
+            offset.normalize();
         }
         append(out.thread, at);
     }
-    if (stopper && length <= kFreeEndM) add_loop(state, at, way, out.loop);
+    if (stopper && length <= kFreeEndM) add_loop(state, at, offset, out.loop);
 }
 
 /// The line from the front to the tail, as it is built.

@@ -151,7 +151,8 @@ void wake_tissue(const Scene& scene, State& state) noexcept {
     }
     for (const SutureState& needle : state.suturing.needle) wake_bonded(scene, state, needle);
     for (int b = 0; b < sleep.blocks(); ++b) {
-        if (sleep.beside[as_index(b)] != 0 && shaken(state.body, sleep, b)) wake_block(sleep, b);
+        if (sleep.near_awake[as_index(b)] != 0 && shaken(state.body, sleep, b))
+            wake_block(sleep, b);
     }
     if (patch_sleeps(scene, state) && patch_shaken(scene, state))
         wake_vertex(sleep, scene.patch->first_vertex);

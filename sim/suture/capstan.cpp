@@ -56,15 +56,15 @@ ThreadSlide slide_thread(const CapstanLaw& out, const CapstanLaw& back, double i
     const double over = out_n - out.gain * in_n - out.drag_n;
     const double over_back = in_n - back.gain * out_n - back.drag_n;
     if (over > 0)
-        slide.way_m = over / (out_n_m + out.gain * in_n_m);
+        slide.slid_m = over / (out_n_m + out.gain * in_n_m);
     else if (over_back > 0)
-        slide.way_m = -over_back / (in_n_m + back.gain * out_n_m);
+        slide.slid_m = -over_back / (in_n_m + back.gain * out_n_m);
     else
         return slide;
-    slide.out_n = std::max(0.0, out_n - out_n_m * slide.way_m);
-    slide.in_n = std::max(0.0, in_n + in_n_m * slide.way_m);
+    slide.out_n = std::max(0.0, out_n - out_n_m * slide.slid_m);
+    slide.in_n = std::max(0.0, in_n + in_n_m * slide.slid_m);
     // What the ends let go of and do not take up, with the mean pulls on the way.
-    slide.lost_j = 0.5 * slide.way_m * (out_n + slide.out_n - in_n - slide.in_n);
+    slide.lost_j = 0.5 * slide.slid_m * (out_n + slide.out_n - in_n - slide.in_n);
     return slide;
 }
 

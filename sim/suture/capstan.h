@@ -42,7 +42,7 @@ struct CapstanLaw {
 
 /// What happens to thread under two pulls.
 struct ThreadSlide {
-    double way_m = 0;            ///< Of thread, towards the exit; negative: back. 0: it sticks.
+    double slid_m = 0;           ///< Of thread, towards the exit; negative: back. 0: it sticks.
     double out_n = 0, in_n = 0;  ///< Pulls after it.
     double lost_j = 0;           ///< Taken by the wall, never negative.
 };

@@ -33,7 +33,7 @@ BondForce passage_force(const PosedNeedle& needle, const NeedleBond& bond, const
                         bool slope) noexcept {
     const ArcFoot f = needle.shape.foot_near(needle.to_N(p_W), bond.near, bond.near_m);
     const double k = bond.hold_n_m;
-    const BoundedSpring along(k, f.s_m - bond.grips_at_m, bond.along_n, slope);
+    const BoundedSpring along(k, f.s_m - bond.sticks_at_m, bond.along_n, slope);
     // ds = R / ring of the way along the circle.
     const double lever = f.ring_m > 0 ? needle.shape.radius_m() / f.ring_m : 1;
     const Vec3 z = Vec3::UnitZ();
@@ -48,9 +48,9 @@ BondForce point_force(const PosedNeedle& needle, const NeedleBond& bond, const V
     const Vec3 p = needle.to_N(p_W) - needle.shape.tip_m();
     const double u = p.y(), k = bond.hold_n_m;
     const BoundedSpring along(k, std::max(u, 0.0), bond.along_n, slope);
-    const double beside = std::sqrt(p.x() * p.x() + p.z() * p.z());
-    const double bound = bond.beside_ratio < 0 ? -1 : bond.beside_ratio * along.n;
-    const BoundedSpring across(k, beside, bound, false);
+    const double across_m = std::sqrt(p.x() * p.x() + p.z() * p.z());
+    const double bound = bond.across_ratio < 0 ? -1 : bond.across_ratio * along.n;
+    const BoundedSpring across(k, across_m, bound, false);
     const Vec3 g(across.n_m * p.x(), along.n, across.n_m * p.z());
     const Vec3 h(across.n_m, u > 0 ? along.n_m : 0, across.n_m);
     return {needle.r * g, needle.r * h.asDiagonal() * needle.r.transpose()};
@@ -148,11 +148,11 @@ double energy_of(const PosedNeedle& needle, const NeedleBond& bond, const Vec3& 
     if (bond.passage < 0) {
         const Vec3 p = p_N - needle.shape.tip_m();
         const BoundedSpring along(k, std::max(p.y(), 0.0), bond.along_n, true);
-        const double bound = bond.beside_ratio < 0 ? -1 : bond.beside_ratio * along.n;
+        const double bound = bond.across_ratio < 0 ? -1 : bond.across_ratio * along.n;
         return along.j + BoundedSpring(k, std::sqrt(p.x() * p.x() + p.z() * p.z()), bound, true).j;
     }
     const ArcFoot f = needle.shape.foot(p_N);
-    return BoundedSpring(k, f.s_m - bond.grips_at_m, bond.along_n, true).j +
+    return BoundedSpring(k, f.s_m - bond.sticks_at_m, bond.along_n, true).j +
            0.5 * k * (f.radial_m * f.radial_m + f.across_m * f.across_m);
 }
 
@@ -169,7 +169,7 @@ NeedleBond passage_bond(const Suture& suture, const SutureState& state, const Su
     bond.passage = i;
     take_corners(bond, tissue, passage.at);
     bond.hold_n_m = passage.hold_n_m;
-    bond.grips_at_m = passage.grips_at_m;
+    bond.sticks_at_m = passage.sticks_at_m;
     const Tissue kind = tissue.body.mesh().tissue[as_index(passage.at.tet)];
     bond.along_n = suture.strength(kind).wall_friction_n_m * wall_length_m(state, i);
     return bond;
@@ -185,7 +185,7 @@ NeedleBond point_bond(const Suture& suture, const SutureState& state,
     const SutureStrength& strength = suture.strength(point.tissue);
     if (point.mode == PointMode::kInside)
         bond.along_n = strength.cutting_share * strength.puncture_n;
-    if (point.mode == PointMode::kPresses) bond.beside_ratio = suture.spec().point_friction;
+    if (point.mode == PointMode::kPresses) bond.across_ratio = suture.spec().point_friction;
     return bond;
 }
 
@@ -244,14 +244,14 @@ void solve_bonded_vertices(const Suture& suture, const SutureState& state,
         if (pulled) add_thread(scratch.thread, state.thread, threaded, system);
         if (tissue.others.add != nullptr) tissue.others.add(tissue.others.of, c.vertex, system);
         const int origin = origin_of(tissue.state, c.vertex);
-        const VertexStep way = vertex_step(
+        const VertexStep taken = vertex_step(
             system, 1, static_cast<double>(tissue.body.shortest_edge_m()[as_index(origin)]));
-        if (!way.finite) tissue.state.flags |= kNotFinite;
-        if (way.limited) tissue.state.flags |= kStepLimited;
+        if (!taken.finite) tissue.state.flags |= kNotFinite;
+        if (taken.limited) tissue.state.flags |= kStepLimited;
         const Vec3 before = position(tissue.state, c.vertex);
-        x.x += static_cast<float>(way.step.x());
-        x.y += static_cast<float>(way.step.y());
-        x.z += static_cast<float>(way.step.z());
+        x.x += static_cast<float>(taken.step.x());
+        x.y += static_cast<float>(taken.step.y());
+        x.z += static_cast<float>(taken.step.z());
         if (pulled)
             move_thread(scratch.thread, state.thread, threaded,
                         position(tissue.state, c.vertex) - before);

@@ -26,11 +26,11 @@ struct NeedleBond {
     std::array<double, 4> b{};
     int32_t passage = -1;  ///< -1: the point.
     double hold_n_m = 0;
-    double grips_at_m = 0;     ///< Passages: s0.
+    double sticks_at_m = 0;    ///< Passages: s0.
     Vec3 near = Vec3::Zero();  ///< Passages: foot when the substep began, its radial direction;
     double near_m = 0;         ///< and its arc coordinate. Zero: not known.
     double along_n = 0;        ///< Bound of the force along the needle; below 0: none.
-    double beside_ratio = -1;  ///< Point: bound across, times the force along; below 0: none.
+    double across_ratio = -1;  ///< Point: bound across, times the force along; below 0: none.
 };
 
 /// What a bond asks of its point of the tissue, in W.

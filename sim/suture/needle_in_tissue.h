@@ -77,7 +77,7 @@ class NeedleInTissue {
     void cut(double cutting_n, double before_j) noexcept;
     /// How far the point has gone in this substep [m].
     [[nodiscard]] double advance_m() const noexcept;
-    void go(double way_m) noexcept;
+    void go(double path_m) noexcept;
     void leave() noexcept;
     /// The channel closes ahead of the point, which takes hold where it is now.
     void draw_back() noexcept;

@@ -30,7 +30,7 @@ constexpr int kSupportPlaces = kMostSupports / 2;
 constexpr double kSupportSearchM = 2e-3, kSupportDeepestM = 0.3e-3;
 constexpr double kSupportHold = 0.5, kSupportDrag = 100;
 
-/// How a place of the body moves with (way of the centre of mass, turn).
+/// How a place of the body moves with (offset of the centre of mass, turn).
 Mat36 motion_of(const Vec3& from_centre) noexcept {
     Mat36 j;
     j.leftCols<3>().setIdentity();
@@ -43,21 +43,21 @@ Mat36 motion_of(const Vec3& from_centre) noexcept {
 struct HoldError {
     HoldError(const NeedleHold& hold, const Pose& X_WN) noexcept {
         target = hold.hand * hold.X_HN;
-        grip = X_WN * hold.grip_N;
-        way = grip - target * hold.grip_N;
+        grip = X_WN * hold.held_N;
+        offset = grip - target * hold.held_N;
         turn = turn_between(target.q, X_WN.q);
     }
     Pose target;
-    Vec3 grip, way, turn;
+    Vec3 grip, offset, turn;
 };
 
 double energy_of(const JawSpec& jaws, const HoldError& e) noexcept {
-    return 0.5 * jaws.pull_n_m * e.way.squaredNorm() +
+    return 0.5 * jaws.pull_n_m * e.offset.squaredNorm() +
            0.5 * jaws.turn_n_m_rad * e.turn.squaredNorm();
 }
 
 void feel(const JawSpec& jaws, NeedleHold& hold, const HoldError& e) noexcept {
-    hold.force_n = -jaws.pull_n_m * e.way;
+    hold.force_n = -jaws.pull_n_m * e.offset;
     hold.torque_n_m = -jaws.turn_n_m_rad * e.turn;
 }
 
@@ -69,14 +69,14 @@ void slip_along(const Suture& suture, SutureState& state, SutureReport& report) 
     const double most = 2 * jaws.friction * jaws.force_n;
     if (std::abs(pull) <= most) return;
     // The hand pulls the grip towards the swage: the target comes after it, towards the point.
-    const double way = std::copysign((std::abs(pull) - most) / jaws.pull_n_m, pull);
+    const double slip = std::copysign((std::abs(pull) - most) / jaws.pull_n_m, pull);
     const double before = hold_energy(suture, state);
-    const double angle = way / suture.needle().radius_m();
+    const double angle = slip / suture.needle().radius_m();
     Quat turn = Quat::Identity();
     turn_by(turn, Vec3(0, 0, -angle));
     hold.X_HN.q = hold.X_HN.q * turn;
-    hold.arc_m += way;
-    hold.grip_N = turn.conjugate() * hold.grip_N;
+    hold.arc_m += slip;
+    hold.held_N = turn.conjugate() * hold.held_N;
     hold.back_N = turn.conjugate() * hold.back_N;
     feel(jaws, hold, HoldError(hold, state.needle));
     state.work.jaws += before - hold_energy(suture, state);
@@ -97,7 +97,7 @@ void slip_round(const Suture& suture, SutureState& state, SutureReport& report) 
     const HoldError e(hold, state.needle);
     Pose target = e.target;
     turn_by(target.q, (1 - most / torque) * e.turn);
-    target.p = e.grip - e.way - target.q * hold.grip_N;  // the grip's target stays
+    target.p = e.grip - e.offset - target.q * hold.held_N;  // the grip's target stays
     hold.X_HN = hold.hand.inverse() * target;
     hold.X_HN.q.normalize();
     feel(jaws, hold, HoldError(hold, state.needle));
@@ -165,7 +165,7 @@ void add_thread(const Vec3& swage, const Vec3& centre, ThreadLine& line, Vec6& g
     gradient += j.transpose() * (pull * last.along);
     hessian += j.transpose() *
                (line.front_stiffness() * last.along * last.along.transpose() +
-                pull / last.way_m * across) *
+                pull / last.path_m * across) *
                j;
 }
 
@@ -179,14 +179,14 @@ void add_supports(const PosedNeedle& posed, const Vec3& centre, const SutureScra
         if (gap >= 0) continue;
         const Mat36 j = motion_of(p - centre);
         const double hold = kSupportHold * inertia_n_m, drag = kSupportDrag * inertia_n_m;
-        const Vec3 way = p - scratch.start * s.at_N;
-        gradient += j.transpose() * (hold * gap * s.n + drag * way);
+        const Vec3 offset = p - scratch.start * s.at_N;
+        gradient += j.transpose() * (hold * gap * s.n + drag * offset);
         hessian += j.transpose() * (hold * s.n * s.n.transpose() + drag * Mat3::Identity()) * j;
     }
 }
 
 /// One step, with the slope of what bonds do or with their secant.
-/// @param step what it did: way of the centre of mass, turn.
+/// @param step what it did: offset of the centre of mass, turn.
 /// @return how far it went, in radii and radians, or -1 where it is not finite.
 double newton_step(const Suture& suture, SutureState& state, SutureScratch& scratch, double h_s,
                    bool slope, Vec6& step) noexcept {
@@ -198,18 +198,18 @@ double newton_step(const Suture& suture, SutureState& state, SutureScratch& scra
     Vec6 gradient = Vec6::Zero();
     // Inertia: from where it would have gone.
     const double per_h = 1 / h_s, held = per_h * per_h * (1 + spec.drag_per_s * h_s);
-    const Vec3 way = centre - scratch.start * needle.centre_m();
+    const Vec3 offset = centre - scratch.start * needle.centre_m();
     const Vec3 turned = turn_between(scratch.start.q, state.needle.q);
     const double m = needle.mass_kg();
     const Mat3 inertia = r * needle.inertia_kg_m2().asDiagonal() * r.transpose();
-    gradient.head<3>() = m * (held * way - per_h * state.v - spec.gravity_m_s2);
+    gradient.head<3>() = m * (held * offset - per_h * state.v - spec.gravity_m_s2);
     gradient.tail<3>() = inertia * (held * turned - per_h * state.w);
     hessian.topLeftCorner<3, 3>().diagonal().setConstant(m * held);
     hessian.bottomRightCorner<3, 3>() = held * inertia;
     if (state.hold.held != 0) {
         const HoldError e(state.hold, state.needle);
         const Mat36 j = motion_of(e.grip - centre);
-        gradient += spec.jaws.pull_n_m * (j.transpose() * e.way);
+        gradient += spec.jaws.pull_n_m * (j.transpose() * e.offset);
         hessian += spec.jaws.pull_n_m * (j.transpose() * j);
         gradient.tail<3>() += spec.jaws.turn_n_m_rad * e.turn;
         hessian.bottomRightCorner<3, 3>().diagonal().array() += spec.jaws.turn_n_m_rad;
@@ -278,10 +278,10 @@ void finish_needle(const Suture& suture, SutureState& state, const SutureScratch
     const HoldError e(hold, state.needle);
     const Vec3 force = hold.force_n, torque = hold.torque_n_m;
     feel(suture.spec().jaws, hold, e);
-    // Both ends of the way with half the force: exact for a spring.
+    // Both ends of the offset with half the force: exact for a spring.
     const Pose before = X_WH_before * hold.X_HN;
     state.work.hand +=
-        0.5 * (force + hold.force_n).dot(e.target * hold.grip_N - before * hold.grip_N) +
+        0.5 * (force + hold.force_n).dot(e.target * hold.held_N - before * hold.held_N) +
         0.5 * (torque + hold.torque_n_m).dot(turn_between(before.q, e.target.q));
     slip_along(suture, state, report);
     if (hold.held != 0) slip_round(suture, state, report);

@@ -33,11 +33,11 @@ void NeedleInTissue::slip_in_walls() noexcept {
         const ArcFoot foot = suture_.needle().foot(needle_.to_N(place_of(tissue_.state, bond)));
         report_.deepest_m = std::max(report_.deepest_m, std::sqrt(foot.radial_m * foot.radial_m +
                                                                   foot.across_m * foot.across_m));
-        const double along = foot.s_m - bond.grips_at_m;
+        const double along = foot.s_m - bond.sticks_at_m;
         const double most = bond.along_n / bond.hold_n_m;
         report_.wall_force_n += std::min(bond.hold_n_m * std::abs(along), bond.along_n);
         if (std::abs(along) <= most) continue;
-        state_.passages[as_index(i)].grips_at_m = foot.s_m - std::copysign(most, along);
+        state_.passages[as_index(i)].sticks_at_m = foot.s_m - std::copysign(most, along);
         state_.work.friction += bond.along_n * (std::abs(along) - most);
     }
 }
@@ -88,7 +88,7 @@ void NeedleInTissue::add_passage(PassageKind kind) noexcept {
     p.channel = state_.channels;
     p.gap_m = kind == PassageKind::kEntry ? 0 : point.since_passage_m;
     p.hold_n_m = hold_at(point.at);
-    p.grips_at_m = coordinate(state_.passage_count - 1);
+    p.sticks_at_m = coordinate(state_.passage_count - 1);
     point.since_passage_m = 0;
     state_.work.made += passage_energy(state_.passage_count - 1);
 }
@@ -124,7 +124,7 @@ void NeedleInTissue::take_back(double last_m) noexcept {
         auto* const all = state_.passages.data();
         std::copy_backward(all, all + state_.passage_count, all + state_.passage_count + 1);
         all[0] = *p;
-        all[0].grips_at_m = foot.s_m;
+        all[0].sticks_at_m = foot.s_m;
         ++state_.passage_count;
         state_.work.made += passage_energy(0);
         drop_passage(suture_, state_, tissue_, state_.thread.passage_count - 1);

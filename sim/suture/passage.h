@@ -16,15 +16,15 @@ enum class PassageKind : uint8_t { kEntry, kInner, kExit };
 struct Passage {
     TissuePoint at;
     PassageKind kind = PassageKind::kInner;
-    int32_t channel = 0;    ///< Counts up with every entry.
-    double gap_m = 0;       ///< Cut between the passage before it and this one; 0 at an entry.
-    double hold_n_m = 0;    ///< Stiffness of its bond, for life: a change would make energy.
-    double grips_at_m = 0;  ///< Arc coordinate at which friction holds it.
+    int32_t channel = 0;     ///< Counts up with every entry.
+    double gap_m = 0;        ///< Cut between the passage before it and this one; 0 at an entry.
+    double hold_n_m = 0;     ///< Stiffness of its bond, for life: a change would make energy.
+    double sticks_at_m = 0;  ///< Arc coordinate at which friction holds it.
 };
 template <class Visit>
 void fields(Of<Passage> auto& s, Visit&& visit) {
-    auto& [at, kind, channel, gap_m, hold_n_m, grips_at_m] = s;
-    visit.state(at, kind, channel, gap_m, hold_n_m, grips_at_m);
+    auto& [at, kind, channel, gap_m, hold_n_m, sticks_at_m] = s;
+    visit.state(at, kind, channel, gap_m, hold_n_m, sticks_at_m);
 }
 
 }  // namespace placode::sim

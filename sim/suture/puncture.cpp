@@ -103,8 +103,8 @@ void NeedleInTissue::cut(double cutting_n, double before_j) noexcept {
     NeedlePoint& point = state_.point;
     // Twice: where it comes to, the tissue may answer otherwise.
     for (int turn = 0; turn < 2 && point.mode == PointMode::kInside; ++turn) {
-        const double way = pushed() - cutting_n / point.hold_n_m;
-        if (way > 0) go(way);
+        const double path = pushed() - cutting_n / point.hold_n_m;
+        if (path > 0) go(path);
         point.hold_n_m = hold_at(point.at);
     }
     state_.work.puncture += before_j - energy();
@@ -116,22 +116,22 @@ double NeedleInTissue::advance_m() const noexcept {
     return h_s_ * std::max(0.0, forward_.dot(state_.v + state_.w.cross(lever)));
 }
 
-void NeedleInTissue::go(double way_m) noexcept {
+void NeedleInTissue::go(double path_m) noexcept {
     NeedlePoint& point = state_.point;
-    for (int faces = 0; faces < kMostFaces && way_m > 0;) {
+    for (int faces = 0; faces < kMostFaces && path_m > 0;) {
         const bool full = state_.passage_count == kMostPassages;
-        const double due = full ? way_m : std::max(0.0, kSpacingM - point.since_passage_m);
-        double step = std::min(way_m, due);
+        const double due = full ? path_m : std::max(0.0, kSpacingM - point.since_passage_m);
+        double step = std::min(path_m, due);
         TissueWalk walk = walk_to_face(tissue_, point.at, step * forward_);
         if (walk.end == WalkEnd::kLost) {
             // Soft tissue that is drawn along goes flat. A point that stood still in it would
             // drag it until it tears; so it goes on with the needle, by the shape at rest.
-            way_m = step = std::min(step, advance_m());
+            path_m = step = std::min(step, advance_m());
             walk = walk_at_rest(tissue_, point.at, step * forward_);
         }
         point.at = walk.at;
         point.since_passage_m += walk.share * step;
-        way_m -= walk.share * step;
+        path_m -= walk.share * step;
         if (walk.end == WalkEnd::kArrived) {
             if (step >= due) add_passage(PassageKind::kInner);
             continue;
@@ -162,13 +162,13 @@ void NeedleInTissue::leave() noexcept {
 void NeedleInTissue::draw_back() noexcept {
     NeedlePoint& point = state_.point;
     const double before = energy();
-    double way = -pushed();
-    for (int faces = 0; faces < kMostFaces && way > 0; ++faces) {
-        const TissueWalk walk = walk_to_face(tissue_, point.at, -way * forward_);
+    double path = -pushed();
+    for (int faces = 0; faces < kMostFaces && path > 0; ++faces) {
+        const TissueWalk walk = walk_to_face(tissue_, point.at, -path * forward_);
         if (walk.end == WalkEnd::kLost) break;
         point.at = walk.at;
-        point.since_passage_m = std::max(0.0, point.since_passage_m - walk.share * way);
-        way -= walk.share * way;
+        point.since_passage_m = std::max(0.0, point.since_passage_m - walk.share * path);
+        path -= walk.share * path;
         if (walk.end == WalkEnd::kAtSurface) {  // out of the tissue
             point.mode = PointMode::kFree;
             state_.work.puncture += before;

@@ -10,6 +10,6 @@ namespace placode::sim {
 /// As walk_to_face(), through the tet as it is at rest, where none is flat; `way` is taken as it
 /// stands.
 [[nodiscard]] TissueWalk walk_at_rest(const SuturedTissue& tissue, const TissuePoint& from,
-                                      const Vec3& way) noexcept;
+                                      const Vec3& offset) noexcept;
 
 }  // namespace placode::sim

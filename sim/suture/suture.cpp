@@ -84,7 +84,7 @@ void take_needle(const Suture& suture, SutureState& state, const Pose& X_WH,
     hold.X_HN = hold.hand.inverse() * state.needle;
     hold.arc_m = std::clamp(arc_m, 0.0, suture.needle().arc_m());
     const ArcPoint at = suture.needle().at(hold.arc_m);
-    hold.grip_N = at.place_m;
+    hold.held_N = at.place_m;
     hold.back_N = at.back;
     hold.force_n = hold.torque_n_m = Vec3::Zero();
 }

@@ -91,15 +91,15 @@ struct NeedleHold {
     Pose hand;                    ///< X_WH at the end of the last substep.
     Pose X_HN;                    ///< Needle in the hand; slips.
     double arc_m = 0;             ///< Where the jaws hold it.
-    Vec3 grip_N = Vec3::Zero();   ///< The same as a place in N.
+    Vec3 held_N = Vec3::Zero();   ///< The same as a place in N.
     Vec3 back_N = Vec3::UnitY();  ///< And the wire's direction there.
     Vec3 force_n = Vec3::Zero();  ///< Of the hand on the needle, at the grip [N].
     Vec3 torque_n_m = Vec3::Zero();
 };
 template <class Visit>
 void fields(Of<NeedleHold> auto& s, Visit&& visit) {
-    auto& [held, hand, X_HN, arc_m, grip_N, back_N, force_n, torque_n_m] = s;
-    visit.state(held, hand, X_HN, arc_m, grip_N, back_N, force_n, torque_n_m);
+    auto& [held, hand, X_HN, arc_m, held_N, back_N, force_n, torque_n_m] = s;
+    visit.state(held, hand, X_HN, arc_m, held_N, back_N, force_n, torque_n_m);
 }
 
 /// Where energy went [J]. Stored energy is that of suture_energy(); what dissipates here was

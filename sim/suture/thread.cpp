@@ -34,7 +34,7 @@ bool is_loose(const ThreadSpec& spec, const ThreadState& thread, int piece) noex
     return front || (tail && !(spec.stopper && thread.channel_count > 0));
 }
 
-double thread_way_m(const Vec3& a, const Vec3& b) noexcept {
+double thread_path_m(const Vec3& a, const Vec3& b) noexcept {
     return std::sqrt((b - a).squaredNorm() + kSmoothM * kSmoothM);
 }
 

@@ -54,12 +54,12 @@ struct ThreadChannel {
     uint8_t open = 0;     ///< The needle is still in it.
     double give_m_n = 0;  ///< How the tissue gives at once at either end [m/N]; for life.
     double wrap_rad = 0;  ///< Sum of its bends, in the last substep.
-    double way_m = 0;     ///< Of thread towards the exit, in all.
+    double slid_m = 0;    ///< Of thread towards the exit, in all.
 };
 template <class Visit>
 void fields(Of<ThreadChannel> auto& s, Visit&& visit) {
-    auto& [first, count, channel, open, give_m_n, wrap_rad, way_m] = s;
-    visit.state(first, count, channel, open, give_m_n, wrap_rad, way_m);
+    auto& [first, count, channel, open, give_m_n, wrap_rad, slid_m] = s;
+    visit.state(first, count, channel, open, give_m_n, wrap_rad, slid_m);
 }
 
 /// The thread between two channels, or between a channel and an end.
@@ -115,6 +115,6 @@ void fields(Of<ThreadState> auto& s, Visit&& visit) {
 [[nodiscard]] bool is_loose(const ThreadSpec& spec, const ThreadState& thread, int piece) noexcept;
 
 /// Way from one passage to the next as the thread counts it: smooth where they meet.
-[[nodiscard]] double thread_way_m(const Vec3& a, const Vec3& b) noexcept;
+[[nodiscard]] double thread_path_m(const Vec3& a, const Vec3& b) noexcept;
 
 }  // namespace placode::sim

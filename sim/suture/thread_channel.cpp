@@ -20,8 +20,8 @@ constexpr double kThinnedM = 0.7e-3;  // between passages that stay, at most
 double energy_of(const ThreadPiece& p) noexcept { return 0.5 * p.pull_n * p.pull_n * p.give_m_n; }
 
 /// Where a node next to a passage is; nothing where the thread ends.
-std::optional<Vec3> beside(const Suture& suture, const SutureState& state,
-                           const SuturedTissue& tissue, int passage) noexcept {
+std::optional<Vec3> place_at(const Suture& suture, const SutureState& state,
+                             const SuturedTissue& tissue, int passage) noexcept {
     const ThreadState& thread = state.thread;
     if (passage >= 0 && passage < thread.passage_count)
         return place_of(tissue, thread.passages[as_index(passage)].at);
@@ -30,8 +30,8 @@ std::optional<Vec3> beside(const Suture& suture, const SutureState& state,
     return end.mode == ThreadEndMode::kSwage ? swage_m(suture, state) : end.was_m;
 }
 
-double way_between(const std::optional<Vec3>& a, const std::optional<Vec3>& b) noexcept {
-    return a && b ? thread_way_m(*a, *b) : 0;
+double path_between(const std::optional<Vec3>& a, const std::optional<Vec3>& b) noexcept {
+    return a && b ? thread_path_m(*a, *b) : 0;
 }
 
 int channel_of(const ThreadState& thread, int passage) noexcept {
@@ -45,14 +45,14 @@ void remove_channel(const Suture& suture, SutureState& state, const SuturedTissu
                     int c) noexcept {
     ThreadState& thread = state.thread;
     const int passage = thread.channels[as_index(c)].first;
-    const auto me = beside(suture, state, tissue, passage);
-    const auto before = beside(suture, state, tissue, passage - 1);
-    const auto behind = beside(suture, state, tissue, passage + 1);
+    const auto me = place_at(suture, state, tissue, passage);
+    const auto before = place_at(suture, state, tissue, passage - 1);
+    const auto behind = place_at(suture, state, tissue, passage + 1);
     ThreadPiece& in = thread.pieces[as_index(c)];
     const ThreadPiece out = thread.pieces[as_index(c + 1)];
     thread.work.made -= energy_of(in) + energy_of(out);
-    in.stretch_m += out.stretch_m - way_between(before, me) - way_between(me, behind) +
-                    way_between(before, behind);
+    in.stretch_m += out.stretch_m - path_between(before, me) - path_between(me, behind) +
+                    path_between(before, behind);
     in.give_m_n += out.give_m_n - 2 * thread.channels[as_index(c)].give_m_n;
     const auto erase = [](auto& list, int at, int count) {
         std::copy(list.begin() + at + 1, list.begin() + count, list.begin() + at);
@@ -66,9 +66,9 @@ void remove_channel(const Suture& suture, SutureState& state, const SuturedTissu
     thread.work.made += energy_of(in);
 }
 
-/// A new channel at the front, of which `way_m` lies from its first passage to the front.
+/// A new channel at the front, of which `path_m` lies from its first passage to the front.
 void add_channel(const Suture& suture, SutureState& state, const SuturedTissue& tissue,
-                 const Passage& passage, double way_m, double h_s) noexcept {
+                 const Passage& passage, double path_m, double h_s) noexcept {
     ThreadState& thread = state.thread;
     const int n = thread.channel_count;
     ThreadPiece& in = thread.pieces[as_index(n)];
@@ -77,14 +77,14 @@ void add_channel(const Suture& suture, SutureState& state, const SuturedTissue& 
     const double give =
         1 / (answer > 0 ? std::min(kMouthRatio * answer, kStiffestN_m) : kStiffestN_m);
     thread.work.made -= energy_of(in);
-    out = {0, give + way_m / suture.spec().thread.stretch_n, in.pull_n};
+    out = {0, give + path_m / suture.spec().thread.stretch_n, in.pull_n};
     if (in.pull_n > 0) {
         // Both go on pulling as they did.
         in.give_m_n += give;
         in.stretch_m = in.pull_n * in.give_m_n;
         out.stretch_m = out.pull_n * out.give_m_n;
     } else if (n == 0 && is_free(thread, 0)) {
-        in.stretch_m += way_m;  // less lies outside
+        in.stretch_m += path_m;  // less lies outside
     }
     thread.work.made += energy_of(in) + energy_of(out);
     thread.channels[as_index(n)] = {thread.passage_count, 0, passage.channel, 1, give, 0, 0};
@@ -103,7 +103,7 @@ void thin_newest(const Suture& suture, SutureState& state, const SuturedTissue& 
     const int first = thread.channels[as_index(thread.channel_count - 1)].first;
     const auto place = [&](int i) { return place_of(tissue, thread.passages[as_index(i)].at); };
     for (int i = first + 1; i + 1 < thread.passage_count;) {
-        if (thread_way_m(place(i - 1), place(i + 1)) < kThinnedM)
+        if (thread_path_m(place(i - 1), place(i + 1)) < kThinnedM)
             drop_passage(suture, state, tissue, i);
         else
             ++i;
@@ -137,8 +137,8 @@ void take_passage(const Suture& suture, SutureState& state, const SuturedTissue&
     }
     if (fresh) {
         if (last != nullptr) last->open = 0;
-        const double way = thread_way_m(place_of(tissue, passage.at), swage_m(suture, state));
-        add_channel(suture, state, tissue, passage, way, h_s);
+        const double path = thread_path_m(place_of(tissue, passage.at), swage_m(suture, state));
+        add_channel(suture, state, tissue, passage, path, h_s);
     }
     append(thread, passage);
     if (passage.kind != PassageKind::kExit) return;
@@ -157,12 +157,12 @@ void drop_passage(const Suture& suture, SutureState& state, const SuturedTissue&
     } else {
         // The thread of a free end that lay behind it is outside of the channel now.
         const int n = thread.channel_count;
-        const auto me = beside(suture, state, tissue, i);
+        const auto me = place_at(suture, state, tissue, i);
         if (i == 0 && is_free(thread, 0))
-            thread.pieces[0].stretch_m -= way_between(me, beside(suture, state, tissue, 1));
+            thread.pieces[0].stretch_m -= path_between(me, place_at(suture, state, tissue, 1));
         if (i == thread.passage_count - 1 && is_free(thread, 1))
             thread.pieces[as_index(n)].stretch_m -=
-                way_between(beside(suture, state, tissue, i - 1), me);
+                path_between(place_at(suture, state, tissue, i - 1), me);
         --channel.count;
     }
     auto* const at = thread.passages.data() + i;
@@ -196,9 +196,9 @@ void hold_thread(const Suture& suture, SutureState& state, const SuturedTissue& 
     hand = {ThreadEndMode::kHeld, place, place, 0, Vec3::Zero()};
     if (!other) return;  // of the whole thread nothing else is held
     const double outside = -piece.stretch_m;
-    const double way = way_between(place, beside(suture, state, tissue, next));
-    const double slack = std::clamp(slack_m, 0.0, std::max(0.0, outside - way));
-    hand.spare_m = std::max(0.0, outside - way - slack);
+    const double path = path_between(place, place_at(suture, state, tissue, next));
+    const double slack = std::clamp(slack_m, 0.0, std::max(0.0, outside - path));
+    hand.spare_m = std::max(0.0, outside - path - slack);
     piece.stretch_m = -slack;
 }
 
@@ -213,8 +213,8 @@ void let_go_thread(const Suture& suture, SutureState& state, const SuturedTissue
     thread.work.made -= energy_of(piece);
     piece.stretch_m -= hand.spare_m;
     if (other)
-        piece.stretch_m -=
-            way_between(beside(suture, state, tissue, me), beside(suture, state, tissue, next));
+        piece.stretch_m -= path_between(place_at(suture, state, tissue, me),
+                                        place_at(suture, state, tissue, next));
     piece.pull_n = 0;
     hand = {};
 }
@@ -229,10 +229,10 @@ void lay_channel(const Suture& suture, SutureState& state, const SuturedTissue& 
         thread.channel_count == kMostThreadChannels)
         throw SutureError("channel", "no points, or no room for its passages");
     let_go_thread(suture, state, tissue, 1);
-    const auto before = beside(suture, state, tissue, thread.passage_count - 1);
-    double way = way_between(before, place_of(tissue, points[0]));
+    const auto before = place_at(suture, state, tissue, thread.passage_count - 1);
+    double path = path_between(before, place_of(tissue, points[0]));
     for (size_t i = 1; i < points.size(); ++i)
-        way += thread_way_m(place_of(tissue, points[i - 1]), place_of(tissue, points[i]));
+        path += thread_path_m(place_of(tissue, points[i - 1]), place_of(tissue, points[i]));
     ++state.channels;
     const int n = thread.channel_count;
     for (size_t i = 0; i < points.size(); ++i) {
@@ -241,14 +241,14 @@ void lay_channel(const Suture& suture, SutureState& state, const SuturedTissue& 
         passage.channel = state.channels;
         if (i == 0) passage.kind = PassageKind::kEntry;
         if (i + 1 == points.size()) passage.kind = PassageKind::kExit;
-        if (i == 0) add_channel(suture, state, tissue, passage, way, h_s);
+        if (i == 0) add_channel(suture, state, tissue, passage, path, h_s);
         append(thread, passage);
     }
     thread.channels[as_index(n)].open = 0;
     // As if the front had been drawn through without a pull.
     ThreadPiece& in = thread.pieces[as_index(n)];
     if (before) {
-        front_m = std::max(0.0, -in.stretch_m - way);
+        front_m = std::max(0.0, -in.stretch_m - path);
         in.stretch_m = 0;
     } else {
         front_m = std::min(front_m, std::max(0.0, -in.stretch_m));

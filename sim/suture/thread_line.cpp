@@ -16,22 +16,23 @@ constexpr double kEnoughM = 1e-10;       // less than a micronewton
 // Of friction's bound, where there is no pull to say how it is spread: keeps shares defined.
 constexpr double kLeastPullN = 1e-3;
 
-/// Way of the thread across one channel, from where nothing has slid.
-double slide_way(const LineChannel& channel, const LinePiece& in, const LinePiece& out) noexcept {
+/// Path of the thread across one channel, from where nothing has slid.
+double slide_length(const LineChannel& channel, const LinePiece& in,
+                    const LinePiece& out) noexcept {
     const auto stiffness = [](const LinePiece& p) {
         return p.loose || p.stretch_m() < 0 ? 0 : 1 / p.give_m_n;
     };
-    const double way = slide_thread(channel.out, channel.back, in.pull_n(), out.pull_n(),
-                                    stiffness(in), stiffness(out))
-                           .way_m;
+    const double path = slide_thread(channel.out, channel.back, in.pull_n(), out.pull_n(),
+                                     stiffness(in), stiffness(out))
+                            .slid_m;
     // What hung slack has been drawn tight on the way: it answers from there on, as a pull below
     // zero would that rises with the way.
-    const LinePiece& taken_from = way > 0 ? in : out;
-    if (way == 0 || taken_from.loose || std::abs(way) <= -taken_from.stretch_m()) return way;
+    const LinePiece& taken_from = path > 0 ? in : out;
+    if (path == 0 || taken_from.loose || std::abs(path) <= -taken_from.stretch_m()) return path;
     const auto pull = [](const LinePiece& p) { return p.loose ? 0 : p.stretch_m() / p.give_m_n; };
     const double in_n_m = in.loose ? 0 : 1 / in.give_m_n,
                  out_n_m = out.loose ? 0 : 1 / out.give_m_n;
-    return slide_thread(channel.out, channel.back, pull(in), pull(out), in_n_m, out_n_m).way_m;
+    return slide_thread(channel.out, channel.back, pull(in), pull(out), in_n_m, out_n_m).slid_m;
 }
 
 }  // namespace
@@ -97,13 +98,13 @@ void ThreadLine::begin(const Suture& suture, SutureState& state,
     }
     for (int s = 0; s + 1 < node_count_; ++s) {
         LineSegment& segment = segments_[as(s)];
-        pieces_[as(segment.before)].way_m += (1 - segment.share) * segment.way_m;
-        pieces_[as(segment.behind)].way_m += segment.share * segment.way_m;
+        pieces_[as(segment.before)].path_m += (1 - segment.share) * segment.path_m;
+        pieces_[as(segment.behind)].path_m += segment.share * segment.path_m;
     }
     for (int i = 0; i < pieces(); ++i) {
         LinePiece& piece = pieces_[as(i)];
         ThreadPiece& kept = thread.pieces[as(i)];
-        piece.rest_m = piece.way_m - kept.stretch_m;
+        piece.rest_m = piece.path_m - kept.stretch_m;
         // Thread that has slid in brings its own give along.
         piece.give_m_n = std::max(0.0, piece.rest_m) / stretch_n_;
         if (i > 0) piece.give_m_n += thread.channels[as(i - 1)].give_m_n;
@@ -119,9 +120,9 @@ void ThreadLine::begin(const Suture& suture, SutureState& state,
 
 Vec3 ThreadLine::direction(int segment) const noexcept {
     const LineSegment& s = segments_[as(segment)];
-    const Vec3 way = nodes_[as(segment + 1)].p - nodes_[as(segment)].p;
+    const Vec3 offset = nodes_[as(segment + 1)].p - nodes_[as(segment)].p;
     const bool between = s.before == s.behind && segment > 0 && segment + 2 < node_count_;
-    if (!between || s.way_m > kNoDirectionM) return way;
+    if (!between || s.path_m > kNoDirectionM) return offset;
     return nodes_[as(segment + 2)].p - nodes_[as(segment - 1)].p;
 }
 
@@ -143,9 +144,9 @@ void ThreadLine::set_channel(const ThreadFriction& friction, const ThreadState& 
         sum += friction.friction * bend.bend_rad * pull_n;
         if (i + 1 == channel.count) break;
         LineSegment& s = segments_[as(node)];
-        bend.length_m = s.way_m;
-        s.share = sum + 0.5 * drag_n_m * s.way_m;
-        sum += drag_n_m * s.way_m;
+        bend.length_m = s.path_m;
+        s.share = sum + 0.5 * drag_n_m * s.path_m;
+        sum += drag_n_m * s.path_m;
     }
     for (int i = 0; i + 1 < channel.count; ++i) {
         LineSegment& s = segments_[as(first + i)];
@@ -158,12 +159,12 @@ void ThreadLine::set_channel(const ThreadFriction& friction, const ThreadState& 
 
 void ThreadLine::measure(int segment) noexcept {
     LineSegment& s = segments_[as(segment)];
-    const Vec3 way = nodes_[as(segment + 1)].p - nodes_[as(segment)].p;
-    const double now = thread_way_m(nodes_[as(segment)].p, nodes_[as(segment + 1)].p);
-    pieces_[as(s.before)].way_m += (1 - s.share) * (now - s.way_m);
-    pieces_[as(s.behind)].way_m += s.share * (now - s.way_m);
-    s.way_m = now;
-    s.along = way / now;
+    const Vec3 offset = nodes_[as(segment + 1)].p - nodes_[as(segment)].p;
+    const double now = thread_path_m(nodes_[as(segment)].p, nodes_[as(segment + 1)].p);
+    pieces_[as(s.before)].path_m += (1 - s.share) * (now - s.path_m);
+    pieces_[as(s.behind)].path_m += s.share * (now - s.path_m);
+    s.path_m = now;
+    s.along = offset / now;
 }
 
 void ThreadLine::refresh(const SuturedTissue& tissue, const ThreadState& thread) noexcept {
@@ -187,13 +188,13 @@ void ThreadLine::place_front(const Vec3& p) noexcept {
 double ThreadLine::slide_one(int c) noexcept {
     LineChannel& channel = channels_[as(c)];
     LinePiece &in = pieces_[as(c)], &out = pieces_[as(c + 1)];
-    const double was = channel.way_m;
+    const double was = channel.slid_m;
     in.rest_m += was;
     out.rest_m -= was;
-    channel.way_m = slide_way(channel, in, out);
-    in.rest_m -= channel.way_m;
-    out.rest_m += channel.way_m;
-    return std::abs(channel.way_m - was);
+    channel.slid_m = slide_length(channel, in, out);
+    in.rest_m -= channel.slid_m;
+    out.rest_m += channel.slid_m;
+    return std::abs(channel.slid_m - was);
 }
 
 void ThreadLine::slide() noexcept {
@@ -224,9 +225,9 @@ double ThreadLine::front_stiffness() const noexcept {
         // Where the thread slides the piece before it gives as well; its pull is as many times
         // less, or more on the way back.
         const LineChannel& at = channel(c);
-        const double gain = at.way_m > 0 ? at.out.gain : 1 / at.back.gain;
+        const double gain = at.slid_m > 0 ? at.out.gain : 1 / at.back.gain;
         double give = piece(c + 1).give_m_n;
-        if (at.way_m != 0) give = n_m > 0 ? give + 1 / (gain * n_m) : 0;
+        if (at.slid_m != 0) give = n_m > 0 ? give + 1 / (gain * n_m) : 0;
         n_m = give > 0 ? 1 / give : 0;
     }
     return n_m;
@@ -242,8 +243,8 @@ double ThreadLine::energy_unslid_j() const noexcept {
     double sum = 0;
     for (int i = 0; active() && i < pieces(); ++i) {
         LinePiece p = piece(i);
-        if (i > 0) p.rest_m -= channel(i - 1).way_m;
-        if (i < channel_count_) p.rest_m += channel(i).way_m;
+        if (i > 0) p.rest_m -= channel(i - 1).slid_m;
+        if (i < channel_count_) p.rest_m += channel(i).slid_m;
         sum += p.energy_j();
     }
     return sum;

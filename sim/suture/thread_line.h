@@ -27,23 +27,23 @@ struct LineNode {
 };
 /// From node i to node i + 1.
 struct LineSegment {
-    double way_m = 0;
+    double path_m = 0;
     Vec3 along = Vec3::Zero();       ///< Derivative of the way by its far end.
     int32_t before = 0, behind = 0;  ///< Pieces; the same one outside of channels.
     double share = 0;                ///< Of the one behind.
 };
 struct LinePiece {
-    double way_m = 0, rest_m = 0, give_m_n = 0;
+    double path_m = 0, rest_m = 0, give_m_n = 0;
     bool loose = false;
-    [[nodiscard]] double stretch_m() const noexcept { return way_m - rest_m; }
+    [[nodiscard]] double stretch_m() const noexcept { return path_m - rest_m; }
     [[nodiscard]] double pull_n() const noexcept {
-        return loose || way_m <= rest_m ? 0 : (way_m - rest_m) / give_m_n;
+        return loose || path_m <= rest_m ? 0 : (path_m - rest_m) / give_m_n;
     }
     [[nodiscard]] double energy_j() const noexcept { return 0.5 * pull_n() * pull_n() * give_m_n; }
 };
 struct LineChannel {
     CapstanLaw out, back;
-    double way_m = 0;  ///< Slid in this substep, towards the exit.
+    double slid_m = 0;  ///< Slid in this substep, towards the exit.
     double wrap_rad = 0;
 };
 

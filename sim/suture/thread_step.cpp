@@ -65,7 +65,7 @@ void finish_thread(const Suture& suture, SutureState& state, const SuturedTissue
             report.thread_pull_n = std::max(report.thread_pull_n, p.pull_n());
         }
         for (int c = 0; c < thread.channel_count; ++c) {
-            thread.channels[as_index(c)].way_m += line.channel(c).way_m;
+            thread.channels[as_index(c)].slid_m += line.channel(c).slid_m;
             thread.channels[as_index(c)].wrap_rad = line.channel(c).wrap_rad;
         }
     }

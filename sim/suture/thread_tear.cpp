@@ -27,8 +27,8 @@ void give_way(const Suture& suture, SutureState& state, const SuturedTissue& tis
     const bool ends = node == 0 || node + 1 == line.nodes();
     if (channel.count > 1 && !ends) {
         ThreadPiece& p = thread.pieces[as_index(piece)];
-        p.stretch_m -= line.segment(node - 1).way_m + line.segment(node).way_m -
-                       thread_way_m(line.node(node - 1).p, line.node(node + 1).p);
+        p.stretch_m -= line.segment(node - 1).path_m + line.segment(node).path_m -
+                       thread_path_m(line.node(node - 1).p, line.node(node + 1).p);
         p.pull_n = p.stretch_m > 0 ? p.stretch_m / p.give_m_n : 0;
     }
     drop_passage(suture, state, tissue, i);
@@ -60,8 +60,8 @@ double mouth_load_n_m(const SuturedTissue& tissue, const ThreadState& thread,
         force += line.force_on(line.node_of(i));
     }
     // What goes along the channel is friction's.
-    const Vec3 way = line.node(line.node_of(i)).p - mouth_m;
-    if (way.squaredNorm() > 0) force -= way * (way.dot(force) / way.squaredNorm());
+    const Vec3 offset = line.node(line.node_of(i)).p - mouth_m;
+    if (offset.squaredNorm() > 0) force -= offset * (offset.dot(force) / offset.squaredNorm());
     return force.norm() / std::max(length, kShortestM);
 }
 

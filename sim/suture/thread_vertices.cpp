@@ -72,7 +72,7 @@ void add_thread(const ThreadLine& line, const ThreadState& thread, std::span<con
             system.gradient += pull * b * s.along;
             // A straight way resists being drawn aside.
             system.hessian +=
-                pull * b * b / s.way_m * (Mat3::Identity() - s.along * s.along.transpose());
+                pull * b * b / s.path_m * (Mat3::Identity() - s.along * s.along.transpose());
         };
         if (node > 0) add(line.segment(node - 1), share.b);
         if (node + 1 < line.nodes()) add(line.segment(node), -share.b);

@@ -29,7 +29,7 @@ std::array<Vec3, 4> corner_places(const SuturedTissue& tissue, int32_t tet) noex
 
 /// How the weights change along `way`: its products with the gradients of the weights. False where
 /// the tet is flat or inside out.
-bool weights_along(const std::array<Vec3, 4>& x, const Vec3& way, double rest_volume_m3,
+bool weights_along(const std::array<Vec3, 4>& x, const Vec3& offset, double rest_volume_m3,
                    std::array<double, 4>& change) noexcept {
     const double six = (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]);
     if (!(six > 6 * kFlat * rest_volume_m3)) return false;
@@ -38,7 +38,7 @@ bool weights_along(const std::array<Vec3, 4>& x, const Vec3& way, double rest_vo
         const auto& face = kTetFaces[f];  // outward: the weight falls along its normal
         const Vec3& a = x[as_index(face[0])];
         const Vec3 normal = (x[as_index(face[1])] - a).cross(x[as_index(face[2])] - a);
-        change[f] = -normal.dot(way) / six;
+        change[f] = -normal.dot(offset) / six;
         sum += change[f];
     }
     change[0] = -sum;
@@ -47,11 +47,11 @@ bool weights_along(const std::array<Vec3, 4>& x, const Vec3& way, double rest_vo
 
 /// As walk_to_face(), in a tet whose corners lie at `x`.
 TissueWalk walk(const SuturedTissue& tissue, const TissuePoint& from, const std::array<Vec3, 4>& x,
-                const Vec3& way) noexcept {
+                const Vec3& offset) noexcept {
     TissueWalk walk{from, 1, -1, WalkEnd::kArrived};
     std::array<double, 4> change{};
     const double volume = static_cast<double>(rest_volume_of(tissue.body, tissue.state, from.tet));
-    if (!weights_along(x, way, volume, change)) return {from, 0, -1, WalkEnd::kLost};
+    if (!weights_along(x, offset, volume, change)) return {from, 0, -1, WalkEnd::kLost};
     for (size_t k = 0; k < 4; ++k) {
         if (!(change[k] < 0)) continue;
         const double share = std::max(0.0, from.b[k] / -change[k]);
@@ -96,16 +96,16 @@ double answer_of(const SuturedTissue& tissue, const TissuePoint& point, double h
 }
 
 TissueWalk walk_to_face(const SuturedTissue& tissue, const TissuePoint& from,
-                        const Vec3& way) noexcept {
-    return walk(tissue, from, corner_places(tissue, from.tet), way);
+                        const Vec3& offset) noexcept {
+    return walk(tissue, from, corner_places(tissue, from.tet), offset);
 }
 
 TissueWalk walk_at_rest(const SuturedTissue& tissue, const TissuePoint& from,
-                        const Vec3& way) noexcept {
+                        const Vec3& offset) noexcept {
     std::array<Vec3, 4> x;
     const auto& c = corners(tissue.body, tissue.state, from.tet);
     for (size_t k = 0; k < 4; ++k) x[k] = rest_place(tissue.body, tissue.state, c[k]);
-    return walk(tissue, from, x, way);
+    return walk(tissue, from, x, offset);
 }
 
 TissuePoint across_face(const SuturedTissue& tissue, const TissuePoint& at, int face) noexcept {
@@ -121,10 +121,11 @@ TissuePoint across_face(const SuturedTissue& tissue, const TissuePoint& at, int 
     return out;
 }
 
-SurfaceHit meet_surface(const SuturedTissue& tissue, const Vec3& from, const Vec3& way) noexcept {
+SurfaceHit meet_surface(const SuturedTissue& tissue, const Vec3& from,
+                        const Vec3& offset) noexcept {
     SurfaceHit hit;
-    const Vec3 middle = from + 0.5 * way;
-    const double reach = 0.5 * way.norm(), reach2 = reach * reach;
+    const Vec3 middle = from + 0.5 * offset;
+    const double reach = 0.5 * offset.norm(), reach2 = reach * reach;
     tissue.faces.tree().walk(
         [&](const SurfaceTree::Box& box) noexcept {
             return squared_distance(box, middle, kStaleM) > reach2;
@@ -134,11 +135,11 @@ SurfaceHit meet_surface(const SuturedTissue& tissue, const Vec3& from, const Vec
             std::array<Vec3, 3> x;
             for (size_t k = 0; k < 3; ++k) x[k] = position(tissue.state, tri.vertex[k]);
             // Moeller & Trumbore 1997; outward faces that the way runs into.
-            const Vec3 e1 = x[1] - x[0], e2 = x[2] - x[0], across = way.cross(e2);
+            const Vec3 e1 = x[1] - x[0], e2 = x[2] - x[0], across = offset.cross(e2);
             const double det = e1.dot(across);
             if (!(det > 0)) return;
             const Vec3 from0 = from - x[0], q = from0.cross(e1);
-            const double u = from0.dot(across) / det, v = way.dot(q) / det;
+            const double u = from0.dot(across) / det, v = offset.dot(q) / det;
             const double share = e2.dot(q) / det;
             if (u < 0 || v < 0 || u + v > 1 || share < 0 || !(share < hit.share)) return;
             hit.share = share;
@@ -166,19 +167,19 @@ SurfacePlane nearest_surface(const SuturedTissue& tissue, const Vec3& p, double 
             Triangle x;
             for (size_t k = 0; k < 3; ++k) x[k] = position(tissue.state, tri.vertex[k]);
             const Vec3 w = closest_on_triangle(p, x);
-            const Vec3 way = p - w.x() * x[0] - w.y() * x[1] - w.z() * x[2];
-            const double d2 = way.squaredNorm();
+            const Vec3 offset = p - w.x() * x[0] - w.y() * x[1] - w.z() * x[2];
+            const double d2 = offset.squaredNorm();
             if (!(d2 < best)) return;
             const Vec3 face = (x[1] - x[0]).cross(x[2] - x[0]);
             const double size = face.norm();
             if (!(size > 0)) return;
             best = d2;
             const double distance = std::sqrt(d2);
-            const bool inside = way.dot(face) < 0;
+            const bool inside = offset.dot(face) < 0;
             plane.found = true;
             plane.gap_m = inside ? -distance : distance;
             // Beside an edge the way itself is the direction; on the face it is the face's.
-            plane.n = inside || !(distance > 0) ? Vec3(face / size) : Vec3(way / distance);
+            plane.n = inside || !(distance > 0) ? Vec3(face / size) : Vec3(offset / distance);
         });
     return plane;
 }

@@ -63,7 +63,7 @@ struct TissueWalk {
 };
 /// Goes from a point by `way` [m], as far as the next face.
 [[nodiscard]] TissueWalk walk_to_face(const SuturedTissue& tissue, const TissuePoint& from,
-                                      const Vec3& way) noexcept;
+                                      const Vec3& offset) noexcept;
 /// The same point in the tet behind a face. @pre the face has a living tet behind it.
 [[nodiscard]] TissuePoint across_face(const SuturedTissue& tissue, const TissuePoint& at,
                                       int face) noexcept;
@@ -75,7 +75,7 @@ struct SurfaceHit {
     Tissue tissue = Tissue::kSkin;
 };
 [[nodiscard]] SurfaceHit meet_surface(const SuturedTissue& tissue, const Vec3& from,
-                                      const Vec3& way) noexcept;
+                                      const Vec3& offset) noexcept;
 
 /// The surface next to a place, as a plane. false in `found`: farther than was asked for.
 struct SurfacePlane {

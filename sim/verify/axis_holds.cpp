@@ -10,8 +10,8 @@ namespace placode::sim {
 
 double AxisHolds::held_at(int32_t v, int axis) const {
     // The way as a float, which is the same in all units.
-    const auto way = static_cast<float>(units_.length * setup_.held_way(v, axis, time_));
-    return body_.mesh().rest[as_index(v)][axis] + static_cast<double>(way);
+    const auto moved = static_cast<float>(units_.length * setup_.held_displacement(v, axis, time_));
+    return body_.mesh().rest[as_index(v)][axis] + static_cast<double>(moved);
 }
 
 void AxisHolds::put_on_axes(int32_t v) {
@@ -39,9 +39,9 @@ void AxisHolds::solve(const PressedVertices& pressed) {
         put_on_axes(v);
         VertexSystem system = vertex_system(body_, state_, v, h_body_);
         hold_axes(system, setup_.held[as_index(v)]);
-        const VertexStep way =
+        const VertexStep taken =
             vertex_step(system, relaxation, body_.shortest_edge_m()[as_index(v)]);
-        if (way.finite) move_vertex(state_, v, way.step);
+        if (taken.finite) move_vertex(state_, v, taken.step);
     }
 }
 

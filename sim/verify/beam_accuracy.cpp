@@ -73,7 +73,7 @@ void moving_cantilever(AccuracyTable& table, double edge_m, int reference_subste
             }
             AccuracyRow row =
                 row_of(scene, result, "cantilever, dynamic", setting(edge_m, 0.45),
-                       "tip's way against explicit in double precision (RMS)", edge_m);
+                       "tip's path against explicit in double precision (RMS)", edge_m);
             row.error = std::sqrt(off / size);
             row.value = row.error;
             row.target = choice.method == SolveMethod::kXpbd ? 0.03 : 0.0;

@@ -116,12 +116,12 @@ bool is_held(const SolveSetup& setup) {
     return std::all_of(held.begin(), held.end(), [](uint8_t axes) { return axes == 7; });
 }
 
-std::optional<Coordinates> way_to_equilibrium(const SolveSetup& setup, const Coordinates& x,
-                                              double time_s) {
+std::optional<Coordinates> step_to_equilibrium(const SolveSetup& setup, const Coordinates& x,
+                                               double time_s) {
     if (setup.contacts || x.size() > kMostUnknowns || !x.allFinite() || !is_held(setup))
         return std::nullopt;
     auto step = newton_step(static_problem(setup, time_s), x);
-    if (!step || !(farthest_way(*step) < setup.longest_way())) return std::nullopt;
+    if (!step || !(largest_displacement(*step) < setup.extent_m())) return std::nullopt;
     return step;
 }
 

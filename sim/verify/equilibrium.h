@@ -25,7 +25,7 @@ void check_support(const SolveSetup& setup, const Coordinates& force_n);
 /// left to equilibrium, whichever method led to x. nullopt where it says nothing: a scene with
 /// spheres (their penalty is not the fast methods' contact), an unstable state, pieces that nothing
 /// holds, a step longer than the body, more than 60,000 coordinates (seconds of factors).
-[[nodiscard]] std::optional<Coordinates> way_to_equilibrium(const SolveSetup& setup,
-                                                            const Coordinates& x, double time_s);
+[[nodiscard]] std::optional<Coordinates> step_to_equilibrium(const SolveSetup& setup,
+                                                             const Coordinates& x, double time_s);
 
 }  // namespace placode::sim

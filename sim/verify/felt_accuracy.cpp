@@ -83,7 +83,7 @@ void dragged_needle(AccuracyTable& table) {
     block.cells = {20, 20, 8};
     block.friction = 0.1;
     block.tip_radius_m = 2.5e-4;
-    block.grip_n_m = 600;
+    block.hand_n_m = 600;
     FeltHand truth(block, 64);
     const std::vector<Vec3> expected = drag(truth);
     for (const int substeps : {2, 4, 8}) {

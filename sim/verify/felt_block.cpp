@@ -58,7 +58,7 @@ Scene felt_scene(const FeltBlock& block, int substeps) {
     tool.tip_radius_m = tool.shaft_radius_m = block.tip_radius_m;
     tool.tip_length_m = block.tip_length_m;
     tool.length_m = block.length_m;
-    tool.grip_n_m = block.grip_n_m;
+    tool.hand_n_m = block.hand_n_m;
     scene.tools = {tool};
     for (const Vec3& x : scene.body.mesh().rest)
         scene.field.depth_m.push_back(static_cast<float>(-x.z()));
@@ -84,7 +84,7 @@ FeltBlock incline_block(double friction) {
     block.friction = friction;
     block.tip_radius_m = 50;
     block.length_m = 200;
-    block.grip_n_m = 1e9;
+    block.hand_n_m = 1e9;
     return block;
 }
 

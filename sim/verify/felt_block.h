@@ -20,7 +20,7 @@ struct FeltBlock {
     double friction = 0;
     double tip_radius_m = 1e-3;
     double tip_length_m = 2.5e-3;
-    double grip_n_m = 1e7;  ///< A machine's: the instrument is where it is put.
+    double hand_n_m = 1e7;  ///< A machine's: the instrument is where it is put.
     double length_m = 0.2;
     bool sleep = true;  ///< As in the simulator: tissue that hardly moves is not solved.
     /// New coordinate along an axis of a plane of the lattice; nullptr = as it is.

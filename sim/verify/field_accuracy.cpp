@@ -19,7 +19,7 @@ namespace {
 struct Load {
     const char* name;
     std::vector<int32_t> patch;  ///< Held vertices that move.
-    Vec3 way_m = Vec3::Zero();
+    Vec3 displacement_m = Vec3::Zero();
 };
 
 /// Surface vertices within `radius_m` of a point of the plane.
@@ -59,9 +59,9 @@ class FieldCase {
         Workers workers(1);
         const std::clock_t start = std::clock();
         for (int frame = 1; frame <= 1000; ++frame) {
-            const Vec3 way = std::min(1.0, frame / 300.0) * load_.way_m;
+            const Vec3 offset = std::min(1.0, frame / 300.0) * load_.displacement_m;
             for (const int32_t v : load_.patch) {
-                const Vec3f p = (body.mesh().rest[as_index(v)] + way).cast<float>();
+                const Vec3f p = (body.mesh().rest[as_index(v)] + offset).cast<float>();
                 state.x[as_index(v)] = {p.x(), p.y(), p.z(), 0};
             }
             run_substeps(body, state, substeps, workers);
@@ -86,7 +86,8 @@ class FieldCase {
             problem.held_at.segment<3>(3 * v) = spec_.mesh.rest[as_index(v)];
             for (size_t a = 0; a < 3; ++a) problem.held[3 * as_index(v) + a] = 1;
         }
-        for (const int32_t v : load_.patch) problem.held_at.segment<3>(3 * v) += load_.way_m;
+        for (const int32_t v : load_.patch)
+            problem.held_at.segment<3>(3 * v) += load_.displacement_m;
         return solve_static(problem, x);
     }
 
@@ -107,9 +108,9 @@ class FieldCase {
         std::vector<Vec3> out;
         std::clock_t spent = 0;
         for (int n = 1; n <= frames * substeps; ++n) {
-            const Vec3 way = load_.way_m * n / (frames * substeps);
+            const Vec3 offset = load_.displacement_m * n / (frames * substeps);
             for (const int32_t v : load_.patch) {
-                const Vec3f p = (body.mesh().rest[as_index(v)] + way).cast<float>();
+                const Vec3f p = (body.mesh().rest[as_index(v)] + offset).cast<float>();
                 state.x[as_index(v)] = {p.x(), p.y(), p.z(), 0};
             }
             const std::clock_t before = std::clock();
@@ -145,7 +146,7 @@ class FieldCase {
             x += h * v;
             for (const int32_t i : load_.patch)
                 x.segment<3>(3 * i) =
-                    spec_.mesh.rest[as_index(i)] + load_.way_m * n / (frames * kSteps);
+                    spec_.mesh.rest[as_index(i)] + load_.displacement_m * n / (frames * kSteps);
             if (n % kSteps == 0) out.push_back(reaction(x));
         }
         return out;
@@ -177,7 +178,7 @@ class FieldCase {
     /// The same grasp, not moved.
     [[nodiscard]] FieldCase at_rest() const {
         FieldCase out = *this;
-        out.load_.way_m.setZero();
+        out.load_.displacement_m.setZero();
         return out;
     }
     [[nodiscard]] const Load& load() const { return load_; }

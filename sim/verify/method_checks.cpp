@@ -25,17 +25,17 @@ class MethodChecks {
     /// parts, 8 cells, 1 mm/s^2, 8192 and 32768 substeps, 0.5 to 1.0 times.
     void rounding() const {
         const double h = solver_.frame_s / solver_.substeps;
-        const double way = h * h * setup_.usual_acceleration();
-        if (way <= 0) return;
+        const double path = h * h * setup_.usual_acceleration();
+        if (path <= 0) return;
         const auto farthest = static_cast<float>(units_.farthest(setup_.scene.mesh.rest));
         const double ulp = (std::nextafter(farthest, 2 * farthest) - farthest) / units_.length;
         const double resolved = solver_.single_precision ? ulp : 0x1p-24 * ulp;
-        const double percent = (solver_.single_precision ? 2 : 0.35) * resolved / way;
+        const double percent = (solver_.single_precision ? 2 : 0.35) * resolved / path;
         if (percent < 1) return;
         const int better = static_cast<int>(std::floor(solver_.substeps * std::sqrt(1 / percent)));
         inexact(
             percent, "/solver/substeps",
-            "a substep moves tissue by " + rounded_text(way, 2) + " m, positions resolve " +
+            "a substep moves tissue by " + rounded_text(path, 2) + " m, positions resolve " +
                 rounded_text(resolved, 2) + " m there",
             (better > 0 ? "at most " + std::to_string(better) + " substeps a frame"
                         : std::string("longer frames")) +

@@ -25,9 +25,9 @@ double misfit(const SolveResult& result, double omega, double decay) {
     Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();  // of the three functions and of z itself
     for (size_t i = 0; i < result.probe_m.size(); ++i) {
         const double t = result.sample_time_s[i], e = std::exp(-decay * t);
-        const Vec3 way = result.probe_m[i][0] - result.probe_m[0][0];
+        const Vec3 offset = result.probe_m[i][0] - result.probe_m[0][0];
         const Eigen::Vector4d f(1, e * std::cos(omega * t), e * std::sin(omega * t),
-                                way.dot(kPlane));
+                                offset.dot(kPlane));
         sums += f * f.transpose();
     }
     const Eigen::Vector3d right = sums.block<3, 1>(0, 3);

@@ -18,10 +18,10 @@ constexpr double kMarginOfEdge = 0.2;  // contact starts this far out, and twice
 
 /// Of a point from the surface of a sphere, away from it.
 Distance distance_to_sphere(const Vec3& centre, double radius_m, const Vec3& p) {
-    const Vec3 way = p - centre;
-    const double length = way.norm();
+    const Vec3 offset = p - centre;
+    const double length = offset.norm();
     if (!(length > 0)) return {-radius_m, Vec3::UnitX()};
-    return {length - radius_m, way / length};
+    return {length - radius_m, offset / length};
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ void PressedVertices::anchor_newcomers() {
         if (touched.sticks_to >= 0) continue;
         touched.sticks_to = touched.side;
         touched.sticks_at = exact_position(state_, touched.vertex) -
-                            way_in_substep(state_, touched.vertex) + centre(touched.side, time_) -
+                            moved_in_substep(state_, touched.vertex) + centre(touched.side, time_) -
                             centre(touched.side, time_ - h_);
     }
 }
@@ -134,12 +134,12 @@ void PressedVertices::go_with(const RigidModes& modes) {
     for (int i = 0; i < lists_.vertex_count; ++i) {
         const ContactVertex& touched = lists_.vertices[as_index(i)];
         if (state_.x[as_index(touched.vertex)].w == 0) continue;
-        Vec3 way = modes.way(touched.vertex);
+        Vec3 offset = modes.displacement(touched.vertex);
         for (int n = touched.first; n < touched.first + touched.count; ++n) {
             const Vec3& normal = lists_.contacts[as_index(lists_.incidence[as_index(n)] / 4)].n;
-            way -= std::min(0.0, normal.dot(way)) * normal;
+            offset -= std::min(0.0, normal.dot(offset)) * normal;
         }
-        move_vertex(state_, touched.vertex, way);
+        move_vertex(state_, touched.vertex, offset);
     }
 }
 
@@ -148,10 +148,10 @@ void PressedVertices::solve(bool backward) {
         const int i = backward ? lists_.vertex_count - 1 - turn : turn;
         ContactVertex& touched = lists_.vertices[as_index(i)];
         if (state_.x[as_index(touched.vertex)].w == 0) continue;
-        const VertexStep way = solve_contact(lists_, body_, state_, touched, h_body_,
-                                             setup_.held[as_index(touched.vertex)]);
-        if (!way.finite) state_.flags |= kNotFinite;
-        if (way.limited) state_.flags |= kStepLimited;
+        const VertexStep taken = solve_contact(lists_, body_, state_, touched, h_body_,
+                                               setup_.held[as_index(touched.vertex)]);
+        if (!taken.finite) state_.flags |= kNotFinite;
+        if (taken.limited) state_.flags |= kStepLimited;
     }
 }
 

@@ -21,7 +21,7 @@ constexpr double kTravelSpeed = 0.5;  // between two pokes, in the air [m/s]
 
 /// One hand: goes from way point to way point in straight lines.
 struct Poker {
-    std::vector<Vec3> way;
+    std::vector<Vec3> path;
     size_t next = 0;
     Vec3 at = Vec3::Zero(), axis = -Vec3::UnitZ();  // tip; distal direction
     Vec3 old_axis = -Vec3::UnitZ();                 // turns to `axis` on the first leg, in the air
@@ -50,11 +50,11 @@ void plan(const State& state, const PokeOptions& options, SplitMix64& random, Po
     const double drag = random.uniform(0, 1) < 0.5 ? random.uniform(0, options.longest_drag_m) : 0;
     const double course = random.uniform(0, 6.2831853);
     const Vec3 above = target - kAway * poker.axis, below = target + depth * poker.axis;
-    poker.way = {poker.at, above, below};
+    poker.path = {poker.at, above, below};
     if (drag > 0) {
-        poker.way.push_back(below + drag * Vec3(std::cos(course), std::sin(course), 0));
+        poker.path.push_back(below + drag * Vec3(std::cos(course), std::sin(course), 0));
     }
-    poker.way.push_back(poker.way.back() - (kAway + depth) * poker.axis);
+    poker.path.push_back(poker.path.back() - (kAway + depth) * poker.axis);
     poker.next = 1;
     poker.speed = 0.02 * std::pow(options.fastest_m_s / 0.02, random.uniform(0, 1));
     poker.wait = static_cast<int>(random.uniform(0, 100));
@@ -63,22 +63,22 @@ void plan(const State& state, const PokeOptions& options, SplitMix64& random, Po
 /// Where the instrument points: it turns on the way to the next poke.
 Vec3 direction(const Poker& poker) {
     if (poker.next != 1) return poker.axis;
-    const double whole = (poker.way[1] - poker.way[0]).norm();
-    const double share = whole > 0 ? (poker.at - poker.way[0]).norm() / whole : 1;
+    const double whole = (poker.path[1] - poker.path[0]).norm();
+    const double share = whole > 0 ? (poker.at - poker.path[0]).norm() / whole : 1;
     return ((1 - share) * poker.old_axis + share * poker.axis).normalized();
 }
 
 /// Moves the hand by one frame; true when the poke is over.
 bool advance(Poker& poker, double frame_s) {
     double left = (poker.next == 1 ? kTravelSpeed : poker.speed) * frame_s;
-    while (poker.next < poker.way.size()) {
-        const Vec3 to = poker.way[poker.next] - poker.at;
+    while (poker.next < poker.path.size()) {
+        const Vec3 to = poker.path[poker.next] - poker.at;
         const double length = to.norm();
         if (length > left) {
             poker.at += left / length * to;
             return false;
         }
-        poker.at = poker.way[poker.next];
+        poker.at = poker.path[poker.next];
         left -= length;
         if (poker.next == 2 && poker.wait > 0) {
             --poker.wait;

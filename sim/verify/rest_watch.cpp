@@ -22,14 +22,14 @@ constexpr double kNothing = 1e-7;  // of the body: no way at all
 bool RestWatch::frame(double time_s, const Coordinates& x) {
     const auto& limit = setup_.scene.rest_speed_m_s;
     if (!limit || time_s < setup_.longest_ramp_s()) return false;
-    const double way =
-        before_.size() > 0 ? farthest_way(x - before_) : std::numeric_limits<double>::infinity();
+    const double path = before_.size() > 0 ? largest_displacement(x - before_)
+                                           : std::numeric_limits<double>::infinity();
     before_ = x;
     for (const SphereObstacle& s : setup_.scene.spheres) {
         if (s.velocity_m_s.norm() > 0) return false;
     }
     ++recent_frames_;
-    if (!(way < *limit * setup_.scene.solver.frame_s)) {
+    if (!(path < *limit * setup_.scene.solver.frame_s)) {
         quiet_ = 0;
         last_ = {};  // what moved is compared anew
     } else if (quiet_++ % kQuietFrames == 0) {
@@ -45,11 +45,11 @@ bool RestWatch::frame(double time_s, const Coordinates& x) {
 }
 
 bool RestWatch::arrived(double time_s, const Coordinates& x) {
-    const double moved = farthest_way(x - setup_.body->rest());
-    const double little = std::max(kThere * moved, kNothing * setup_.longest_way());
-    const auto step = way_to_equilibrium(setup_, x, time_s);
+    const double moved = largest_displacement(x - setup_.body->rest());
+    const double little = std::max(kThere * moved, kNothing * setup_.extent_m());
+    const auto step = step_to_equilibrium(setup_, x, time_s);
     if (!step) return stays(time_s, x, little);
-    const double left = farthest_way(*step);
+    const double left = largest_displacement(*step);
     out_.equilibrium_error_m = left;
     if (left <= little) return true;
     const double length = step->norm();
@@ -68,7 +68,7 @@ bool RestWatch::arrived(double time_s, const Coordinates& x) {
 /// Where no step tells: doubling the time moved it by little. What nothing holds may drift.
 bool RestWatch::stays(double time_s, const Coordinates& x, double little) {
     if (!is_held(setup_)) return true;
-    const bool stayed = checked_.size() > 0 && farthest_way(x - checked_) <= little;
+    const bool stayed = checked_.size() > 0 && largest_displacement(x - checked_) <= little;
     checked_ = x;
     next_check_s_ = 2 * time_s;
     return stayed;
@@ -95,9 +95,9 @@ void RestWatch::warn(double left_m, double moved_m) {
 void RestWatch::end(double time_s, const Coordinates& x) {
     if (!setup_.scene.rest_speed_m_s || out_.at_rest || !x.allFinite()) return;
     out_.at_rest = quiet_ >= kQuietFrames;
-    const auto step = way_to_equilibrium(setup_, x, time_s);
-    const double moved = farthest_way(x - setup_.body->rest());
-    if (step) out_.equilibrium_error_m = farthest_way(*step);
+    const auto step = step_to_equilibrium(setup_, x, time_s);
+    const double moved = largest_displacement(x - setup_.body->rest());
+    if (step) out_.equilibrium_error_m = largest_displacement(*step);
     if (out_.at_rest && step && *out_.equilibrium_error_m > kThere * moved)
         warn(*out_.equilibrium_error_m, moved);
     if (!out_.at_rest)

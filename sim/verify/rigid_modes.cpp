@@ -71,15 +71,15 @@ void RigidModes::begin() {
     }
 }
 
-Vec3 RigidModes::way(int32_t vertex) const {
+Vec3 RigidModes::displacement(int32_t vertex) const {
     if (piece_of_[as_index(vertex)] < 0) return Vec3::Zero();
     const Piece& piece = pieces_[as_index(piece_of_[as_index(vertex)])];
     const Vec3 r = to_vec(state_.x_start[as_index(vertex)]) - piece.centre;
-    Vec3 way = h_ * (piece.speed + piece.spin.cross(r));
+    Vec3 offset = h_ * (piece.speed + piece.spin.cross(r));
     for (int a = 0; a < 3; ++a) {
-        if ((piece.held >> a & 1) != 0) way[a] = 0;
+        if ((piece.held >> a & 1) != 0) offset[a] = 0;
     }
-    return way;
+    return offset;
 }
 
 /// Where a vertex would go in this substep if it had no neighbours.
@@ -93,18 +93,18 @@ Vec3 RigidModes::plan(int32_t vertex) const {
 RigidModes::Sums RigidModes::sum(const Piece& piece) const {
     Sums out;
     const int32_t first = piece.vertices.front();
-    const Vec3 from = exact_position(state_, first), first_way = way_in_substep(state_, first);
+    const Vec3 from = exact_position(state_, first), first_moved = moved_in_substep(state_, first);
     Vec3 place = Vec3::Zero(), start = Vec3::Zero(), went = Vec3::Zero(), planned = Vec3::Zero();
     for (const int32_t v : piece.vertices) {
         const double m = body_.mass_kg()[as_index(v)];
         const Vec3 r = exact_position(state_, v) - from;
-        const Vec3 way = way_in_substep(state_, v), wanted = plan(v);
-        const Vec3 before = r - (way - first_way);  // from where the first vertex was
+        const Vec3 offset = moved_in_substep(state_, v), wanted = plan(v);
+        const Vec3 before = r - (offset - first_moved);  // from where the first vertex was
         place += m * r;
         start += m * before;
-        went += m * way;
+        went += m * offset;
         planned += m * wanted;
-        out.missing_turn += m * (before.cross(wanted) - r.cross(way));
+        out.missing_turn += m * (before.cross(wanted) - r.cross(offset));
         out.inertia += inertia_of(m, r);
     }
     place /= piece.mass;
@@ -121,8 +121,8 @@ bool RigidModes::solve_once(const std::vector<ContactPush>& pushes) {
     for (size_t number = 0; number < pieces_.size(); ++number) {
         const int32_t first = pieces_[number].vertices.front();
         const auto edge = static_cast<double>(body_.shortest_edge_m()[as_index(first)]);
-        const double way = move(static_cast<int32_t>(number), pushes);
-        moved = moved || way > kSettled * edge;
+        const double path = move(static_cast<int32_t>(number), pushes);
+        moved = moved || path > kSettled * edge;
     }
     return moved;
 }
@@ -132,7 +132,7 @@ double RigidModes::move(int32_t number, const std::vector<ContactPush>& pushes) 
     const Piece& piece = pieces_[as_index(number)];
     const Sums sums = sum(piece);
     const bool turns = piece.held == 0 && can_turn(sums.inertia);
-    // Times h^2: masses and ways instead of forces.
+    // Times h^2: masses and modes instead of forces.
     Mat6 system = Mat6::Zero();
     Vec6 rest;
     system.topLeftCorner<3, 3>() = piece.mass * Mat3::Identity();
@@ -141,10 +141,10 @@ double RigidModes::move(int32_t number, const std::vector<ContactPush>& pushes) 
     for (const ContactPush& push : pushes) {
         if (piece_of_[as_index(push.vertex)] != number) continue;
         const Vec3 r = push.at - sums.centre;
-        Eigen::Matrix<double, 3, 6> ways;  // of that place, for each unknown
-        ways << Mat3::Identity(), -cross_matrix(r);
-        rest += h_ * h_ * ways.transpose() * push.force_n;
-        system += h_ * h_ * ways.transpose() * push.stiffness_n_m * ways;
+        Eigen::Matrix<double, 3, 6> modes;  // of that place, for each unknown
+        modes << Mat3::Identity(), -cross_matrix(r);
+        rest += h_ * h_ * modes.transpose() * push.force_n;
+        system += h_ * h_ * modes.transpose() * push.stiffness_n_m * modes;
     }
     for (int k = 0; k < 6; ++k) {
         if (k < 3 ? (piece.held >> k & 1) == 0 : turns) continue;
@@ -155,14 +155,14 @@ double RigidModes::move(int32_t number, const std::vector<ContactPush>& pushes) 
     }
     const Vec6 step = system.ldlt().solve(rest);
     if (!step.allFinite()) return 0;
-    const Vec3 way = step.head<3>(), turn = step.tail<3>();
+    const Vec3 offset = step.head<3>(), turn = step.tail<3>();
     const double angle = turn.norm();
     const Mat3 rotation =
         angle > 0 ? Mat3(Eigen::AngleAxisd(angle, turn / angle)) : Mat3::Identity();
     double longest = 0;
     for (const int32_t v : piece.vertices) {
         const Vec3 r = exact_position(state_, v) - sums.centre;
-        const Vec3 moved = way + (rotation * r - r);
+        const Vec3 moved = offset + (rotation * r - r);
         longest = std::max(longest, moved.squaredNorm());
         move_vertex(state_, v, moved);
     }

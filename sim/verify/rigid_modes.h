@@ -32,7 +32,7 @@ class RigidModes {
     /// Before the start guess: how every piece moves.
     void begin();
     /// What that is for a vertex in this substep [m]; zero where its piece is held.
-    [[nodiscard]] Vec3 way(int32_t vertex) const;
+    [[nodiscard]] Vec3 displacement(int32_t vertex) const;
     /// After the sweeps: moves the pieces. `pushes` () gives the contacts at the present positions.
     template <class Pushes>
     void solve(Pushes&& pushes) {

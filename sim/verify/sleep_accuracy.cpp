@@ -29,7 +29,7 @@ OperativeFieldSpec dragged_spec(bool sleep) {
     needle.tip_length_m = 2.5e-3;
     needle.shaft_radius_m = 1.5e-3;
     needle.length_m = 0.2;
-    needle.grip_n_m = 600;
+    needle.hand_n_m = 600;
     spec.tools = {needle};
     return spec;
 }
@@ -66,11 +66,11 @@ class FieldHand {
     [[nodiscard]] const SoftBodyState& now() const { return state_.body; }
 
  private:
-    [[nodiscard]] Vec3 on_contour(double way) const {
+    [[nodiscard]] Vec3 on_contour(double path) const {
         for (size_t n = 0; n + 1 < contour_.size(); ++n) {
             const Vec3 edge = contour_[n + 1] - contour_[n];
-            if (way < edge.norm()) return contour_[n] + way * edge.normalized();
-            way -= edge.norm();
+            if (path < edge.norm()) return contour_[n] + path * edge.normalized();
+            path -= edge.norm();
         }
         return contour_.back();
     }

@@ -76,8 +76,8 @@ void SolveSetup::check_spheres() {
         const std::string pointer = "/sdf_contacts/" + std::to_string(s);
         int within = 0;
         for (size_t v = 0; v < held.size(); ++v) {
-            const Vec3 way = scene.mesh.rest[v] - sphere.centre_m;
-            within += held[v] == 7 && way.norm() < 0.999 * sphere.radius_m ? 1 : 0;
+            const Vec3 offset = scene.mesh.rest[v] - sphere.centre_m;
+            within += held[v] == 7 && offset.norm() < 0.999 * sphere.radius_m ? 1 : 0;
         }
         if (within > 0)
             warnings.push_back(pointer + ": " + std::to_string(within) +
@@ -241,10 +241,10 @@ void SolveSetup::report_time(double time_s) const {
 }
 
 double SolveSetup::held_at(int vertex, int axis, double time_s) const {
-    return scene.mesh.rest[as_index(vertex)][axis] + held_way(vertex, axis, time_s);
+    return scene.mesh.rest[as_index(vertex)][axis] + held_displacement(vertex, axis, time_s);
 }
 
-double SolveSetup::held_way(int vertex, int axis, double time_s) const {
+double SolveSetup::held_displacement(int vertex, int axis, double time_s) const {
     const HeldRegion& region = scene.held[as_index(held_by_[as_index(vertex)][as_index(axis)])];
     return ramp(time_s, region.ramp_s) * region.displacement_m[axis];
 }
@@ -257,10 +257,10 @@ void SolveSetup::add_loads(double time_s, Coordinates& out) const {
 }
 
 double SolveSetup::usual_stress() const {
-    return scene.material.density_kg_m3 * usual_acceleration() * longest_way();
+    return scene.material.density_kg_m3 * usual_acceleration() * extent_m();
 }
 
-double SolveSetup::longest_way() const {
+double SolveSetup::extent_m() const {
     double longest = 0;
     for (const Vec3& p : scene.mesh.rest)
         longest = std::max(longest, (p - scene.mesh.rest.front()).norm());
@@ -269,7 +269,7 @@ double SolveSetup::longest_way() const {
 
 double SolveSetup::usual_acceleration() const {
     if (scene.held.empty()) return 0;
-    const double extent = longest_way();
+    const double extent = extent_m();
     double strain = scene.start.kind == StartKind::kRest ? 0 : 0.1;
     for (const HeldRegion& region : scene.held)
         strain = std::max(strain, region.displacement_m.norm() / extent);

@@ -44,7 +44,7 @@ class SolveSetup {
     /// Where a held coordinate is at time t [m].
     [[nodiscard]] double held_at(int vertex, int axis, double time_s) const;
     /// How far that is from rest [m].
-    [[nodiscard]] double held_way(int vertex, int axis, double time_s) const;
+    [[nodiscard]] double held_displacement(int vertex, int axis, double time_s) const;
     /// External forces without gravity at time t, added to `out` (3 V).
     void add_loads(double time_s, Coordinates& out) const;
     [[nodiscard]] bool has_loads() const { return !loads_.empty(); }
@@ -57,7 +57,7 @@ class SolveSetup {
     /// Of a body of this size that is accelerated so [Pa].
     [[nodiscard]] double usual_stress() const;
     /// From the first vertex to the farthest other, at rest [m].
-    [[nodiscard]] double longest_way() const;
+    [[nodiscard]] double extent_m() const;
     /// Vertices that only some axes hold (V), ascending.
     [[nodiscard]] const std::vector<int32_t>& partly_held() const { return partly_; }
 
@@ -94,10 +94,10 @@ class SolveSetup {
 };
 
 /// Longest of the ways of all vertices (3 V) [m].
-[[nodiscard]] inline double farthest_way(const Coordinates& way) {
+[[nodiscard]] inline double largest_displacement(const Coordinates& offset) {
     double farthest = 0;
-    for (Eigen::Index i = 0; i < way.size(); i += 3)
-        farthest = std::max(farthest, way.segment<3>(i).norm());
+    for (Eigen::Index i = 0; i < offset.size(); i += 3)
+        farthest = std::max(farthest, offset.segment<3>(i).norm());
     return farthest;
 }
 

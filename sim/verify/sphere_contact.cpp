@@ -33,8 +33,8 @@ std::array<Vec3, 3> gradients(const SphereTouch& t, const Coordinates& x) {
         for (size_t i = 0; i < 3; ++i)
             g[i] = face.cross(p[(i + 2) % 3] - p[(i + 1) % 3]) / face.squaredNorm();
     } else if (count == 2) {
-        const Vec3 way = p[as_index(last)] - p[as_index(first)];
-        g[as_index(last)] = way / way.squaredNorm();
+        const Vec3 offset = p[as_index(last)] - p[as_index(first)];
+        g[as_index(last)] = offset / offset.squaredNorm();
         g[as_index(first)] = -g[as_index(last)];
     }
     return g;
@@ -84,10 +84,10 @@ void SphereContacts::near(const PositionOf& x, double time_s, double margin_m,
             if ((first - centre).squaredNorm() > far * far) continue;
             const Triangle corners{first, x(triangle[1]), x(triangle[2])};
             const Vec3 b = closest_on_triangle(centre, corners);
-            const Vec3 way = b[0] * corners[0] + b[1] * corners[1] + b[2] * corners[2] - centre;
-            const double distance = way.norm();
+            const Vec3 offset = b[0] * corners[0] + b[1] * corners[1] + b[2] * corners[2] - centre;
+            const double distance = offset.norm();
             if (!(distance < reach) || !(distance > 0)) continue;
-            const Vec3 n = way / distance;
+            const Vec3 n = offset / distance;
             const Vec3 face = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
             const bool sheet = i >= faces_;
             out.push_back({triangle, b, n, distance - spheres_[s].radius_m, static_cast<int>(s),

@@ -57,19 +57,19 @@ inline constexpr bool kPlainBytes<TissuePair> = true;
 struct SelfContact {
     explicit SelfContact(const Scene& scene);
 
-    [[nodiscard]] bool enabled() const noexcept { return !beside_until.empty(); }
+    [[nodiscard]] bool enabled() const noexcept { return !near_moved_until.empty(); }
 
     /// By vertex modulo kGroups: one group is looked up anew in every frame.
     static constexpr int kGroups = 4;
     std::array<std::vector<TissuePair>, kGroups> pairs;
     std::array<int32_t, kGroups> count{};
     std::vector<int64_t>
-        beside_until;  ///< (V + spares) Lies next to moved tissue until this frame.
+        near_moved_until;  ///< (V + spares) Lies next to moved tissue until this frame.
 };
 template <class Visit>
 void fields(Of<SelfContact> auto& s, Visit&& visit) {
-    auto& [pairs, count, beside_until] = s;
-    visit.state(count, beside_until);
+    auto& [pairs, count, near_moved_until] = s;
+    visit.state(count, near_moved_until);
     for (size_t g = 0; g < pairs.size(); ++g) visit.state_of(count[g], pairs[g]);
 }
 

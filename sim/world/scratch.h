@@ -23,7 +23,7 @@ inline constexpr int kMostChoices = 256;
 /// A vertex beside the plane of blades, and the shortest slide onto it.
 struct SlideChoice {
     Slide slide;
-    float way_m = -1;  ///< At rest; negative = none.
+    float shift_m = -1;  ///< At rest; negative = none.
 };
 
 struct State::Scratch {
@@ -44,8 +44,8 @@ struct State::Scratch {
     std::vector<int32_t> sector_stack;  // (T)
     std::vector<uint32_t> tet_seen;     // (T) stamps of a search
     uint32_t stamp = 0;
-    std::vector<uint32_t> beside_blade;  // (V + spares) stamps: looked at
-    std::vector<SlideChoice> choices;    // of vertices beside closing blades
+    std::vector<uint32_t> near_blade;  // (V + spares) stamps: looked at
+    std::vector<SlideChoice> choices;  // of vertices beside closing blades
     std::array<int32_t, kMaxTools> tip_triangle{-1, -1, -1, -1};  // next to each tip, a frame ago
     double longest_edge_m = 0;                                    // at rest, constant
     bool heat_stepped = false;                                    // in this frame

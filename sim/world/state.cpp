@@ -50,7 +50,7 @@ State::Scratch::Scratch(const Scene& scene, CutProgress* untouched)
       sac_thirds(scene.sac.triangles.size()),
       sector_stack(scene.body.tet_count()),
       tet_seen(scene.body.tet_count(), 0),
-      beside_blade(scene.body.spec().spare_vertices > 0 ? scene.body.vertex_capacity() : 0, 0),
+      near_blade(scene.body.spec().spare_vertices > 0 ? scene.body.vertex_capacity() : 0, 0),
       pool(scene.irrigation ? scene.irrigation->grid.cells() : 0) {
     if (scene.suture) suture.emplace_back(scene.body, *scene.suture);
     choices.reserve(scene.body.spec().spare_vertices > 0 ? kMostChoices : 0);

@@ -128,14 +128,14 @@ void hash_sac(Hash& hash, const SacState& sac) noexcept {
 }
 
 void hash_self_contact(Hash& hash, const SelfContact& self) noexcept {
-    const auto& [pairs, count, beside_until] = self;
+    const auto& [pairs, count, near_moved_until] = self;
     for (size_t g = 0; g < pairs.size(); ++g) {
         for (int32_t i = 0; i < count[g]; ++i) {
             const auto& [vertex, tet, face] = pairs[g][static_cast<size_t>(i)];
             hash.each(vertex, tet, face);
         }
     }
-    hash.without(beside_until);
+    hash.without(near_moved_until);
 }
 
 /// Of the first `count` vertices of a list: which, and the load.

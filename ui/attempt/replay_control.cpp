@@ -123,8 +123,8 @@ void ReplayKeys::apply(const sim::WindowInput& input, double now_s, ReplayWish& 
     // Esc pauses an attempt; in a replay it must not do more.
     const int pauses = presses_of(input, Key::kSpace) + presses_of(input, Key::kEscape);
     if (pauses % 2 != 0) wish.paused = !wish.paused;
-    const int way = presses_of(input, Key::kRight) - presses_of(input, Key::kLeft);
-    if (way != 0) wish.seek_s = std::max(0.0, now_s + 5.0 * way);
+    const int path = presses_of(input, Key::kRight) - presses_of(input, Key::kLeft);
+    if (path != 0) wish.seek_s = std::max(0.0, now_s + 5.0 * path);
     const int faster = presses_of(input, Key::kUp) - presses_of(input, Key::kDown);
     if (faster != 0) wish.speed = next_speed(wish.speed, faster);
     const int cameras = presses_of(input, Key::kV);

@@ -20,7 +20,7 @@ int run(const Context& context, const HapticsBenchOptions& options) {
     const Json computer = machine();  // the load before, not our own
     haptics::HapticBenchSuite bench;
     bench.quick = options.quick;
-    bench.checked = [](const haptics::PortCheck& check) {
+    bench.checked = [](const haptics::HapticBenchCheck& check) {
         if (!check.passed()) std::cerr << "not within its limit: " << check.name << '\n';
     };
     bench.run();

@@ -13,11 +13,11 @@
 namespace placode::cli {
 namespace {
 
+using haptics::HapticBenchCheck;
+using haptics::HapticBenchResult;
+using haptics::HapticBenchRow;
+using haptics::HapticBenchRun;
 using haptics::HapticBenchSuite;
-using haptics::PortCheck;
-using haptics::PortResult;
-using haptics::PortRow;
-using haptics::PortRun;
 constexpr const char* kShipped = "as shipped";
 
 /// Small numbers keep their digits.
@@ -34,7 +34,7 @@ std::string milli(double v, int decimals) {
 std::string k_max_table(const HapticBenchSuite& bench) {
     std::vector<std::vector<std::string>> cells{
         {"world", "law", "grip", "physics [Hz]", "K_max [N/m]"}};
-    for (const PortRow& row : bench.rows)
+    for (const HapticBenchRow& row : bench.rows)
         cells.push_back({row.world, row.law, row.grip, fixed(row.physics_hz, 0),
                          (row.k_max > haptics::kSweepTopNM ? ">= " : "") + fixed(row.k_max, 0)});
     return table(cells);
@@ -44,8 +44,8 @@ std::string run_table(const HapticBenchSuite& bench) {
     std::vector<std::vector<std::string>> cells{{"run", "grip", "physics [Hz]", "oscillation [mm]",
                                                  "peak force [N]", "least energy [mJ]",
                                                  "given at rest [mJ/s]"}};
-    for (const PortRun& run : bench.runs) {
-        const PortResult& r = run.result;
+    for (const HapticBenchRun& run : bench.runs) {
+        const HapticBenchResult& r = run.result;
         const bool rests = run.name != "air";
         cells.push_back({run.name, run.grip, fixed(run.physics_hz, 0),
                          rests ? milli(r.peak_to_peak_m, 3) : "-", fixed(r.peak_force_n, 3),
@@ -56,7 +56,7 @@ std::string run_table(const HapticBenchSuite& bench) {
 
 std::string check_table(const HapticBenchSuite& bench) {
     std::vector<std::vector<std::string>> cells{{"check", "value", "limit", ""}};
-    for (const PortCheck& one : bench.checks)
+    for (const HapticBenchCheck& one : bench.checks)
         cells.push_back({one.name, number(one.value),
                          (one.at_most ? "<= " : ">= ") + number(one.limit),
                          one.passed() ? "ok" : "NOT WITHIN"});
@@ -83,7 +83,7 @@ reports::CurveChart k_max_chart(const HapticBenchSuite& bench, const std::string
     chart.x_label = "rate of the physics [Hz]";
     chart.y_label = "largest stable stiffness [N/m]";
     chart.log_x = chart.log_y = false;
-    for (const PortRow& row : bench.rows) {
+    for (const HapticBenchRow& row : bench.rows) {
         const std::string kind = kind_of(row);
         if (kind.empty()) continue;
         const std::string name = row.grip + ", " + kind;
@@ -103,11 +103,12 @@ void write_figures(const HapticBenchSuite& bench, const std::string& folder) {
     const auto save = [&](const reports::CurveChart& chart, const std::string& name) {
         reports::write_chart_png(chart, folder + "/bench_haptics_" + name + ".png");
     };
-    save(k_max_chart(bench, "Largest stable stiffness, law as shipped (simulated operator)",
-                     [](const PortRow& row) { return row.law == kShipped ? row.world : ""; }),
-         "kmax");
+    save(
+        k_max_chart(bench, "Largest stable stiffness, law as shipped (simulated operator)",
+                    [](const HapticBenchRow& row) { return row.law == kShipped ? row.world : ""; }),
+        "kmax");
     save(k_max_chart(bench, "What the parts of the law are worth against a rigid wall",
-                     [](const PortRow& row) { return row.world == "wall" ? row.law : ""; }),
+                     [](const HapticBenchRow& row) { return row.world == "wall" ? row.law : ""; }),
          "laws");
     reports::CurveChart time;
     time.title = "A light grip pushes into wall and tissue";
@@ -137,7 +138,7 @@ void write_traces(const HapticBenchSuite& bench, std::ostream& out) {
     };
     for (size_t i = 0; i < bench.control.position_m.size(); ++i) {
         out << fixed(1e-3 * static_cast<double>(i), 3);
-        for (const PortResult* result : {&bench.wall, &bench.tissue, &bench.control})
+        for (const HapticBenchResult* result : {&bench.wall, &bench.tissue, &bench.control})
             out << ',' << cell(result->position_m, i) << ',' << cell(result->force_n, i) << ','
                 << cell(result->energy_j, i);
         out << '\n';
@@ -166,18 +167,18 @@ std::string haptics_bench_text(const HapticBenchSuite& bench) {
 
 Json haptics_bench_json(const HapticBenchSuite& bench) {
     Json json{{"checks", Json::array()}, {"k_max", Json::array()}, {"cases", Json::array()}};
-    for (const PortCheck& check : bench.checks)
+    for (const HapticBenchCheck& check : bench.checks)
         json["checks"].push_back({{"name", check.name},
                                   {"value", check.value},
                                   {check.at_most ? "at_most" : "at_least", check.limit},
                                   {"passed", check.passed()}});
-    for (const PortRow& row : bench.rows)
+    for (const HapticBenchRow& row : bench.rows)
         json["k_max"].push_back({{"world", row.world},
                                  {"law", row.law},
                                  {"grip", row.grip},
                                  {"physics_hz", row.physics_hz},
                                  {"k_max_n_m", row.k_max}});
-    for (const PortRun& run : bench.runs)
+    for (const HapticBenchRun& run : bench.runs)
         json["cases"].push_back({{"case", run.name},
                                  {"grip", run.grip},
                                  {"physics_hz", run.physics_hz},
@@ -202,7 +203,7 @@ void write_haptics_bench(const HapticBenchSuite& bench, const Json& json,
     std::filesystem::create_directories(folder, error);
     std::ofstream csv(folder + "/bench_haptics.csv");
     csv << "world,law,grip,physics_hz,k_max_n_m\n";
-    for (const PortRow& row : bench.rows)
+    for (const HapticBenchRow& row : bench.rows)
         csv << row.world << ',' << row.law << ',' << row.grip << ',' << fixed(row.physics_hz, 0)
             << ',' << fixed(row.k_max, 1) << '\n';
     std::ofstream traces(folder + "/bench_haptics_traces.csv");

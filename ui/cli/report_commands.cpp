@@ -73,7 +73,7 @@ int report_attempt(const Context& context, const ReportOptions& options) {
         throw InputError("report attempt: found " + options.id +
                          ", which has no recording; expected an attempt with one");
     reports::write_attempt_pdf(attempt, *recording,
-                               db::attempts_beside(session.store(), attempt.record), options.out,
+                               db::other_attempts(session.store(), attempt.record), options.out,
                                reports::report_head(session.store(), attempt.record));
     session.store().audit().write(session.actor(), "report.pdf", "attempt " + options.id,
                                   options.out);

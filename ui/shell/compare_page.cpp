@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compare: two attempts at the same task side by side: score, reasons, measures, time lines, ways,
+// Compare: two attempts at the same task side by side: score, reasons, measures, time lines, paths,
 // and both replayed at once, steered together.
 
 #include <QComboBox>
@@ -88,7 +88,7 @@ class ComparePage : public Page {
         // What a participant did is compared with what the same participant did.
         const bool study = !first.study.study.empty();
         for (const db::AttemptRecord& each : study
-                                                 ? db::attempts_beside(context_.store(), first)
+                                                 ? db::other_attempts(context_.store(), first)
                                                  : context_.store().attempts().page(filter).rows) {
             if (each.id == first.id) continue;
             chooser_->addItem(nameOf(each), QVariant::fromValue<qint64>(each.id));
@@ -207,17 +207,17 @@ class ComparePage : public Page {
             // One below the other: the same moment stands at the same place.
             grid->addWidget(half.ledger, i, 0, 1, 2);
             const auto recording = half.recording;
-            QWidget* ways = make_picture(
+            QWidget* paths = make_picture(
                 [recording, style](QPainter& painter, const QRectF& where) {
                     reports::draw_trajectory(painter, where, *recording, reports::Side::kAbove,
                                              style);
                 },
                 QSize(280, 280), tr("Tool paths from above"), nameOf(half.detail.record));
-            ways->setFixedHeight(320);
-            grid->addWidget(ways, 2, i);
+            paths->setFixedHeight(320);
+            grid->addWidget(paths, 2, i);
         }
         auto* holder = new QVBoxLayout;
-        holder->addWidget(make_label(tr("Time lines, and ways from above"), "heading"));
+        holder->addWidget(make_label(tr("Time lines, and paths from above"), "heading"));
         holder->addLayout(grid);
         QFrame* card = make_card(holder);
         card->setObjectName("compare_pictures");

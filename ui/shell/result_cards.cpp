@@ -145,7 +145,7 @@ ResultData read_result(db::Store& store, int64_t attempt_id) {
     ResultData data;
     data.detail = store.attempts().detail(attempt_id);
     const db::AttemptRecord& record = data.detail.record;
-    data.history = db::attempts_beside(store, record);
+    data.history = db::other_attempts(store, record);
     std::vector<int64_t> before;
     for (const db::AttemptRecord& each : data.history) {
         if (each.id == attempt_id) break;

@@ -137,14 +137,15 @@ namespace {
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
         "Total change of the shafts' direction to the sides, seen from the first pose."),
-    QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Planned contour that was cut, over the way of the tip while energy was on."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
-        "Cube root of the box around the tip's way over its length, busiest instrument."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Box around the way of the busiest instrument's tip."),
+        "Planned contour that was cut, over the path of the tip while energy was on."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Cube root of the box around the tip's path over its length, busiest instrument."),
+    QT_TRANSLATE_NOOP("MetricDefinition", "Box around the path of the busiest instrument's tip."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Straight lines over the ways of the tips, over the movements of SPARC."),
+                      "Straight lines over the paths of the tips, over the movements of SPARC."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times a tip moved faster than 50 mm/s for over 0.2 s."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Times an instrument turned faster than 50 degrees a second for over 0.2 s."),
@@ -265,7 +266,7 @@ namespace {
         "MetricDefinition",
         "Largest difference between the distances of a bite's entry and exit from the line."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Smallest angle between the needle's way and the surface at rest where it "
+                      "Smallest angle between the needle's path and the surface at rest where it "
                       "went in, over the bites of a row."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
@@ -326,7 +327,7 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Times that the needle's point opened a surface from outside."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Angle between the needle's way and the surface at rest where it last went "
+                      "Angle between the needle's path and the surface at rest where it last went "
                       "in, 90 = upright."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",

@@ -90,9 +90,10 @@ void add_needle(const NeedleSnapshot& needle, NeedleMesh& mesh) {
 void add_thread(const std::vector<std::array<float, 3>>& line, NeedleMesh& mesh) {
     Tube tube(mesh, static_cast<float>(ToolMaterial::kThread));
     for (size_t i = 0; i < line.size(); ++i) {
-        const Vec3 way =
+        const Vec3 offset =
             place_mm(line[std::min(i + 1, line.size() - 1)]) - place_mm(line[i > 0 ? i - 1 : 0]);
-        if (way.norm() > 0) tube.section(place_mm(line[i]), way.normalized(), kThreadRadiusMm);
+        if (offset.norm() > 0)
+            tube.section(place_mm(line[i]), offset.normalized(), kThreadRadiusMm);
     }
 }
 

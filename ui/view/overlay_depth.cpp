@@ -98,8 +98,8 @@ Vec2 Overlay::gauge_foot(int tool, const Vec2& tip_px) {
     const Vec2 first = beside(tool, tip_px) + Vec2(0, 1.2 * u);
     const double side = first.x() < tip_px.x() ? -1 : 1;
     std::vector<LabelBox> places;
-    for (const double way : {0.0, 2.2 * side, 4.4 * side, 6.6 * side, -6.8 * side, -9.0 * side})
-        places.push_back({first.x() + way * u - 0.5 * w, first.y() - h + 2.0 * u, w, h});
+    for (const double path : {0.0, 2.2 * side, 4.4 * side, 6.6 * side, -6.8 * side, -9.0 * side})
+        places.push_back({first.x() + path * u - 0.5 * w, first.y() - h + 2.0 * u, w, h});
     const LabelBox place = first_free(labels_, places);
     labels_.push_back(place);
     return {place.x + 0.5 * w, first.y()};
@@ -146,8 +146,8 @@ void Overlay::buried(int tool) {
         if (!place_of(at, px) || !place_of(at + 0.2 * shaft, next) ||
             !place_of(at + camera_->right, aside))
             continue;
-        const Vec2 way = (next - px).norm() > 1e-6 ? Vec2((next - px).normalized()) : Vec2(0, 1);
-        const Vec2 across = radius * (aside - px).norm() * Vec2(-way.y(), way.x());
+        const Vec2 offset = (next - px).norm() > 1e-6 ? Vec2((next - px).normalized()) : Vec2(0, 1);
+        const Vec2 across = radius * (aside - px).norm() * Vec2(-offset.y(), offset.x());
         left.push_back(px - across);
         right.push_back(px + across);
     }

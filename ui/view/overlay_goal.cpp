@@ -189,13 +189,14 @@ void Overlay::scope_marks() {
         labels_.push_back({px.x() - 1.2 * u, px.y() - 1.2 * u, 2.4 * u, 2.4 * u});
         if (next && (px - centre).norm() < 1.1 * u) watch_.side = -watch_.side;
         if (next && (px - centre).norm() > 3 * u) {
-            const Vec2 way = (px - centre).normalized();
-            shapes::arrow(*paint_, centre + 1.3 * u * way, px - 1.6 * u * way, 0.5 * u, 0.14 * u,
-                          kAccent.faded(0.8F));
+            const Vec2 offset = (px - centre).normalized();
+            shapes::arrow(*paint_, centre + 1.3 * u * offset, px - 1.6 * u * offset, 0.5 * u,
+                          0.14 * u, kAccent.faded(0.8F));
         }
     }
-    for (const Vec2& way : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)})
-        shapes::stroke(*paint_, centre + 0.35 * u * way, centre + 1.1 * u * way, 0.16 * u, kText);
+    for (const Vec2& offset : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)})
+        shapes::stroke(*paint_, centre + 0.35 * u * offset, centre + 1.1 * u * offset, 0.16 * u,
+                       kText);
     label(centre + Vec2(0, 2.9 * u), amount_text(), kText);
 }
 

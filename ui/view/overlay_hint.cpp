@@ -171,7 +171,7 @@ class SymbolPainter {
         plate(c + Vec2(0, 1.35 * u_), 3.4 * u_, 0.7 * u_, 0.35 * u_, kBody);
         plate(at + Vec2(0, -0.1 * u_), 2.5 * u_, 1.9 * u_, 0.5 * u_,
               mixed(kBody, kAccent, 0.7 * press_));
-        way_arrows(c + Vec2(2.0 * u_, 0), symbol.act, c);
+        direction_arrows(c + Vec2(2.0 * u_, 0), symbol.act, c);
     }
 
     void handle(const HintSymbol& symbol, const Vec2& c) {
@@ -186,10 +186,10 @@ class SymbolPainter {
         shapes::stroke(paint_, at - 1.75 * u_ * along, at + 1.75 * u_ * along, 0.64 * u_,
                        mixed(kBody, kAccent, 0.7 * press_));
         shapes::stroke(paint_, at - 2.5 * u_ * along, at - 1.9 * u_ * along, 0.3 * u_, kBodyEdge);
-        way_arrows(c + Vec2(1.9 * u_, 0), symbol.act, c);
+        direction_arrows(c + Vec2(1.9 * u_, 0), symbol.act, c);
     }
 
-    void way_arrows(const Vec2& at, HintAct act, const Vec2& c) {
+    void direction_arrows(const Vec2& at, HintAct act, const Vec2& c) {
         if (act == HintAct::kSideways) {
             for (const double side : {-1.0, 1.0})
                 shapes::chevron(paint_, c + Vec2(side * 2.6 * u_, 0.9 * u_), Vec2(side, 0),

@@ -48,9 +48,9 @@ void Overlay::patch_goal() {
     labels_.push_back({wanted.x() - 0.9 * u, wanted.y() - 0.9 * u, 1.8 * u, 1.8 * u});
     if (place_of(middle_mm, middle)) {
         paint_->ring(middle.x(), middle.y(), 0.42 * u, 0.55, far ? kAccent : kGood);
-        const Vec2 way = wanted - middle;
-        if (far && way.norm() > 2.4 * u) {
-            const Vec2 unit = way.normalized();
+        const Vec2 offset = wanted - middle;
+        if (far && offset.norm() > 2.4 * u) {
+            const Vec2 unit = offset.normalized();
             shapes::arrow(*paint_, middle + 0.6 * u * unit, wanted - 1.1 * u * unit, 0.4 * u,
                           0.11 * u, kAccent.faded(0.75F));
         }

@@ -16,10 +16,10 @@ namespace {
 Vec2 at(double angle) { return {std::sin(angle), -std::cos(angle)}; }
 
 void bar(TextPainter& paint, const Vec2& from, const Vec2& to, double half, const Colour& colour) {
-    const Vec2 way = to - from;
-    const double length = way.norm();
+    const Vec2 offset = to - from;
+    const double length = offset.norm();
     if (length < 1e-9) return;
-    const Vec2 across = half / length * Vec2(-way.y(), way.x());
+    const Vec2 across = half / length * Vec2(-offset.y(), offset.x());
     paint.quad({Vec2(from - across), Vec2(to - across), Vec2(to + across), Vec2(from + across)},
                colour);
 }
@@ -65,19 +65,19 @@ void rounded(TextPainter& paint, double x, double y, double width, double height
         for (const double cy : {y + r, y + height - r}) paint.ring(cx, cy, r, 0, colour);
 }
 
-void chevron(TextPainter& paint, const Vec2& tip, const Vec2& way, double size, double width,
+void chevron(TextPainter& paint, const Vec2& tip, const Vec2& offset, double size, double width,
              const Colour& colour) {
-    const Vec2 across(-way.y(), way.x());
+    const Vec2 across(-offset.y(), offset.x());
     for (const double side : {-0.7, 0.7})
-        stroke(paint, tip, tip - size * way + side * size * across, width, colour);
+        stroke(paint, tip, tip - size * offset + side * size * across, width, colour);
 }
 
 void arrow(TextPainter& paint, const Vec2& from, const Vec2& to, double size, double width,
            const Colour& colour) {
-    const Vec2 way = to - from;
-    if (way.norm() < 1e-6) return;
+    const Vec2 offset = to - from;
+    if (offset.norm() < 1e-6) return;
     stroke(paint, from, to, width, colour);
-    chevron(paint, to, way.normalized(), size, width, colour);
+    chevron(paint, to, offset.normalized(), size, width, colour);
 }
 
 }  // namespace placode::view::shapes

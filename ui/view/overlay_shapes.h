@@ -21,7 +21,7 @@ void wedge(TextPainter& paint, const sim::Vec2& centre, double radius, double fr
 void rounded(TextPainter& paint, double x, double y, double width, double height, double radius,
              const Colour& colour);
 /// An open arrow head whose point is at `tip` and looks along `way` (of length 1).
-void chevron(TextPainter& paint, const sim::Vec2& tip, const sim::Vec2& way, double size,
+void chevron(TextPainter& paint, const sim::Vec2& tip, const sim::Vec2& offset, double size,
              double width, const Colour& colour);
 /// Shaft and head.
 void arrow(TextPainter& paint, const sim::Vec2& from, const sim::Vec2& to, double size,

@@ -111,12 +111,12 @@ void Overlay::target_text(int tool, const Vec2& px, double radius, const Vec3& a
     if (foot.found && foot.height_mm > 0.5 && place_of(foot.foot_mm, below)) {
         // The spot right below the tip: it has to come into the ring.
         paint_->ring(below.x(), below.y(), 0.42 * unit_, 0.55, above ? kGood : kAccent);
-        const Vec2 way = px - below;
+        const Vec2 offset = px - below;
         // Seen aslant it lies far from the tip: nobody knows what it is without a word.
-        if (!above && way.norm() > radius + 3.5 * unit_)
+        if (!above && offset.norm() > radius + 3.5 * unit_)
             label(below - Vec2(0, 1.3 * unit_), say("below the tip"), kAccent);
-        if (!above && way.norm() > radius + 1.2 * unit_) {
-            const Vec2 unit = way.normalized();
+        if (!above && offset.norm() > radius + 1.2 * unit_) {
+            const Vec2 unit = offset.normalized();
             shapes::arrow(*paint_, below + 0.6 * unit_ * unit, px - (radius + 4) * unit,
                           0.4 * unit_, 0.11 * unit_, kAccent.faded(0.75F));
         }

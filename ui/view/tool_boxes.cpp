@@ -41,17 +41,17 @@ std::vector<std::optional<Seen>> walk(const ShadowCapsule& c, const Camera& came
     constexpr int kSteps = 64;
     constexpr double kBorder = 0.015, kFootMm = 1.8;
     const double focal = 1 / std::tan(camera.half_angle_rad);
-    std::vector<std::optional<Seen>> way;
+    std::vector<std::optional<Seen>> seen;
     for (int k = 0; k <= kSteps; ++k) {
         const Vec3 at = c.a + k / double{kSteps} * (c.b - c.a);
         const auto place = place_in_picture(camera, at);
         // Jaws and the foot of a hook stand off the axis.
         const double near = std::max(2.0, (at - camera.position_mm).norm());
-        way.emplace_back();
+        seen.emplace_back();
         if (place)
-            way.back() = Seen{*place, std::max(2.5 * c.radius, kFootMm) * focal / near + kBorder};
+            seen.back() = Seen{*place, std::max(2.5 * c.radius, kFootMm) * focal / near + kBorder};
     }
-    return way;
+    return seen;
 }
 
 }  // namespace
@@ -62,11 +62,11 @@ std::vector<PictureBox> tool_boxes(const Snapshot& snapshot, const std::vector<T
     constexpr double kPiece = 0.25;  // of the picture's radius
     std::vector<PictureBox> boxes;
     for (const ShadowCapsule& c : seen_capsules(snapshot, tools, camera)) {
-        const auto way = walk(c, camera);
+        const auto seen = walk(c, camera);
         Vec2 start = Vec2::Zero();  // of the last box
         bool open = false;          // it may grow
-        for (size_t k = 0; k + 1 < way.size(); ++k) {
-            const auto &a = way[k], &b = way[k + 1];
+        for (size_t k = 0; k + 1 < seen.size(); ++k) {
+            const auto &a = seen[k], &b = seen[k + 1];
             if (!a || !b || std::min(a->at.norm() - a->half, b->at.norm() - b->half) > 1) {
                 open = false;
                 continue;

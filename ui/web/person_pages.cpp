@@ -149,7 +149,7 @@ reports::Figure learning_curve(const std::string& task, const reports::LearningL
 }
 
 /// Where this person's roles lead.
-Html ways(const Visit& visit) {
+Html links(const Visit& visit) {
     Html list;
     if (visit.may(db::Action::kViewAttempts))
         list << "<li>"
@@ -179,7 +179,7 @@ PageText own_page(const Visit& visit) {
     Html body;
     body << "<h1>" << text(visit.user.display_name) << "</h1><p class=\"muted\">"
          << text(role_words(visit.user.roles)) << mark_of(visit.user) << "</p>\n"
-         << ways(visit) << all_cards(visit, visit.user);
+         << links(visit) << all_cards(visit, visit.user);
     return {Web::phrase("My page"), body};
 }
 

@@ -3512,19 +3512,19 @@
         <translation>Łączna zmiana kierunku trzonów na boki, widziana z pierwszego położenia.</translation>
     </message>
     <message>
-        <source>Planned contour that was cut, over the way of the tip while energy was on.</source>
+        <source>Planned contour that was cut, over the path of the tip while energy was on.</source>
         <translation>Długość przeciętej części planowanej linii podzielona przez drogę końcówki z włączonym prądem.</translation>
     </message>
     <message>
-        <source>Cube root of the box around the tip's way over its length, busiest instrument.</source>
+        <source>Cube root of the box around the tip's path over its length, busiest instrument.</source>
         <translation>Pierwiastek sześcienny z objętości prostopadłościanu wokół drogi końcówki, podzielony przez długość tej drogi; narzędzie najczęściej używane.</translation>
     </message>
     <message>
-        <source>Box around the way of the busiest instrument's tip.</source>
+        <source>Box around the path of the busiest instrument's tip.</source>
         <translation>Prostopadłościan wokół drogi końcówki najczęściej używanego narzędzia.</translation>
     </message>
     <message>
-        <source>Straight lines over the ways of the tips, over the movements of SPARC.</source>
+        <source>Straight lines over the paths of the tips, over the movements of SPARC.</source>
         <translation>Długość odcinków prostych podzielona przez drogę końcówek, w ruchach wziętych do SPARC.</translation>
     </message>
     <message>
@@ -3676,7 +3676,7 @@
         <translation>Najgłębsze miejsce kanału igły pod powierzchnią w spoczynku, ostatnie przejście.</translation>
     </message>
     <message>
-        <source>Angle between the needle's way and the surface at rest where it last went in, 90 = upright.</source>
+        <source>Angle between the needle's path and the surface at rest where it last went in, 90 = upright.</source>
         <translation>Kąt między drogą igły a powierzchnią w spoczynku w miejscu ostatniego wkłucia, 90 = prostopadle.</translation>
     </message>
     <message>
@@ -3744,7 +3744,7 @@
         <translation>Największa różnica odległości wkłucia i wykłucia jednego ściegu od linii.</translation>
     </message>
     <message>
-        <source>Smallest angle between the needle's way and the surface at rest where it went in, over the bites of a row.</source>
+        <source>Smallest angle between the needle's path and the surface at rest where it went in, over the bites of a row.</source>
         <translation>Najmniejszy kąt między drogą igły a powierzchnią w spoczynku w miejscu wkłucia, wśród ściegów szwu.</translation>
     </message>
     <message>
@@ -8656,7 +8656,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Tor narzędzi z góry</translation>
     </message>
     <message>
-        <source>Time lines, and ways from above</source>
+        <source>Time lines, and paths from above</source>
         <translation>Osie czasu i tory z góry</translation>
     </message>
     <message>
