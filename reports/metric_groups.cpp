@@ -75,7 +75,7 @@ constexpr Rule kRules[]{
     {"wash_", MetricGroup::kPractice},
     {"undermine_fascia", MetricGroup::kTissue},
     {"undermine_", MetricGroup::kPractice},
-    {"closing_", MetricGroup::kPractice},
+    {"closing_", MetricGroup::kForce},
     {"bite_", MetricGroup::kSuture},
     {"slit_", MetricGroup::kSuture},
     {"bites_", MetricGroup::kSuture},

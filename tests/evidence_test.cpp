@@ -13,6 +13,7 @@
 #include "curriculum/course.h"
 #include "curriculum/questionnaire.h"
 #include "curriculum/shipped_definitions.h"
+#include "curriculum/utc_time.h"
 #include "db/attempt_counting.h"
 #include "db/course_conduct.h"
 #include "db/recording_file.h"
@@ -236,7 +237,16 @@ TEST_F(Evidence, AnExamCountsWithTheOrderThatItWasBegunWithAndNotWithoutOne) {
     EXPECT_EQ(cause_of(take_with_order(again, "", begun)), db::VoidCause::kOrderMissing)
         << "nothing in the recording binds it";
     EXPECT_FALSE(mastered(anna));
+    // Practised until it went well, then given out as the exam that was begun.
+    Recording practised = honest_attempt();
+    practised.header.started_utc =
+        curriculum::utc_text(*curriculum::utc_seconds(db::utc_now()) - 60);
+    const std::string other = begun_order().dump();
+    EXPECT_THAT(record(take_with_order(practised, other, other)).void_reason,
+                HasSubstr("it was not recorded as an exam"));
+    EXPECT_FALSE(mastered(anna));
     again.header.started_utc = db::utc_now();
+    again.header.mode = "exam";
     const std::string fresh = begun_order().dump();
     const int64_t right = take_with_order(again, fresh, fresh);
     EXPECT_TRUE(db::counts(record(right))) << record(right).void_reason;
@@ -347,7 +357,6 @@ TEST_F(Evidence, WhatTheStoreHoldsOfAnAttemptIsComparedWithItsRecording) {
         {"UPDATE attempts SET demonstration = 0", "demonstration 0, not 1"},
         {"UPDATE attempts SET task_id = 'diathermy_ring'", "task_id "},
         {"UPDATE attempts SET final_hash = '7'", "final_hash"},
-        {"UPDATE attempts SET exam_begin = 1", "it was not recorded as an exam"},
         {"UPDATE attempt_metrics SET value = value + 1 WHERE position = 2",
          "attempt_metrics, position 2"},
         {"DELETE FROM attempt_metrics WHERE position = 3", "attempt_metrics, position 3"},

@@ -305,6 +305,7 @@ TEST_P(ExamBegins, ACertificateThatSqlAddedShowsNowhereBeforeTheCourseIsMastered
 }
 
 TEST_P(ExamBegins, NoneBeginsAtAComputerThatNobodyVouchedFor) {
+    if (is_sqlite()) GTEST_SKIP() << "whoever has the file vouches for its computer";
     ::setenv("PLACODE_STATION_KEY", folder.file("other.key").c_str(), 1);
     store = open();
     EXPECT_THAT(failure_of([&] { (void)begun(); }).what(), HasSubstr("nobody has vouched"));

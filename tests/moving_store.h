@@ -13,8 +13,10 @@
 
 #include "curriculum/course.h"
 #include "curriculum/definitions.h"
+#include "db/course_conduct.h"
 #include "db/store_context.h"
 #include "db/store_tables.h"
+#include "tests/exam_course.h"
 #include "tests/full_store.h"
 
 namespace placode::test {
@@ -76,6 +78,12 @@ class MoveTest : public testing::Test {
         definition.version = course.version;
         definition.json = course.json;
         store->definitions().publish(definition);
+        publish_exam(*store, "touch_targets", "7");
+        assign_exam(*store, full.anna);
+        const auto program = open(url);
+        (void)db::begin_exam(
+            *program, full.anna,
+            db::prepare_exam(*program, full.anna, "short", "final", "", "", db::utc_now()));
         fillTheRest(url);
     }
     /// Tables that only longer ways of the program fill.

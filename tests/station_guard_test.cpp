@@ -10,9 +10,13 @@
 #include <algorithm>
 #include <sstream>
 
+#include "curriculum/shipped_definitions.h"
+#include "db/course_conduct.h"
 #include "db/password.h"
+#include "db/recording_order.h"
 #include "db/station_role.h"
 #include "tests/bars.h"
+#include "tests/exam_course.h"
 #include "tests/recorded_attempt.h"
 #include "tests/station_guard_attacks.h"
 #include "tests/store_cases.h"
@@ -276,6 +280,8 @@ TEST_P(StationGuard, WhatAReplayGaveSaysSomebodyElseWhoMay) {
     db::NewUser educator = trainee("eva");
     educator.roles = static_cast<db::Roles>(Role::kEducator);
     const int64_t eva = open()->accounts().create(educator);
+    publish_exam(*open(), "diathermy_ring", "7,8");
+    for (const int64_t who : {anna_, eva}) assign_exam(*open(), who);
     const auto exam_of = [&](const std::string& login, int64_t who) {
         const auto store = open_at_station();
         store->sign_out();
@@ -284,8 +290,15 @@ TEST_P(StationGuard, WhatAReplayGaveSaysSomebodyElseWhoMay) {
         result.header.device = "mouse";
         result.header.demonstration = false;
         result.end.final_hash = static_cast<uint64_t>(who);
-        result.exam = {"short", 1, "final", "", ""};
-        record_to(folder.file(login + ".placode"), result);
+        const db::ExamOrder order = db::begin_exam(
+            *store, who, db::prepare_exam(*store, who, "short", "final", "", "", db::utc_now()));
+        result.header.task_version = curriculum::shipped_task("diathermy_ring")->version;
+        result.header.seed = order.seed;
+        result.header.mode = "exam";
+        result.header.started_utc = db::utc_now();
+        result.exam = order.context;
+        result.order = "order of " + login;
+        record_to(folder.file(login + ".placode"), result, db::order_checksum(*result.order));
         return store->attempts().save(who, result);
     };
     const int64_t of_anna = exam_of("anna", anna_), of_eva = exam_of("eva", eva);

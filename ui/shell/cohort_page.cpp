@@ -24,7 +24,7 @@
 namespace placode::ui {
 namespace {
 
-constexpr int kFewTasks = 170, kManyTasks = 116, kLeastTask = 44;  ///< Width of a column [px].
+constexpr int kFewTasks = 170, kManyTasks = 116, kLeastTask = 40;  ///< Width of a column [px].
 
 using assessment::CohortCell;
 using assessment::Standing;
@@ -169,7 +169,7 @@ class CohortPage : public Page {
             table_->setColumnWidth(c, manyTasks() ? kManyTasks : kFewTasks);
         table_->horizontalHeader()->setMinimumSectionSize(kLeastTask);
         wrap_titles(table_);
-        // A name ends in dots before the scores of fourteen tasks scroll sideways.
+        // A name ends in dots before the scores of sixteen tasks scroll sideways.
         keep_within(table_, {.stretch = 0,
                              .least_px = 180,
                              .keep_px = manyTasks() ? 104 : 180,
