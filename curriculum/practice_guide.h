@@ -25,6 +25,9 @@ class PracticeGuide {
     PracticeGuide(const std::vector<TaskStep>& steps, const sim::Scene& scene,
                   const sim::State& settled);
 
+    /// A copy goes on in another scene that was built from the same task.
+    void look_into(const sim::Scene& scene) noexcept { scene_ = &scene; }
+
     [[nodiscard]] bool done() const noexcept { return tracker_ && tracker_->done(); }
     /// count == 0: the task has no steps.
     [[nodiscard]] const sim::PracticeGoal& goal() const noexcept { return goal_; }

@@ -164,6 +164,7 @@ void Replay::back_to(double time_s) {
     }
     for (const auto& [at_s, guide] : practice_kept_)
         if (at_s == state_->time_s) practice_ = guide;
+    practice_.look_into(*scene_);  // The kept one knew the scene before it was built again.
     next_hash_ = 0;
     while (next_hash_ < hashes_.size() &&
            hashes_[next_hash_].time_s <= state_->time_s + frame_s_ / 2)
