@@ -126,7 +126,8 @@ void UndermineOperator::next_place() noexcept {
     }
     const double side = place_ % 2 == 0 ? -1 : 1;
     const Vec3 along = Vec3::UnitZ().cross(out_);
-    along_m_ = side * (1 + place_ / 2) * habits_.apart_m;  // not where the other hand holds
+    const int places_off = 1 + place_ / 2;  // not where the other hand holds
+    along_m_ = side * places_off * habits_.apart_m;
     if (place_ >= habits_.places && goal_.targets > 0)
         along_m_ = along.dot(goal_.target_m[0] - edge_);
     along_m_ += habits_.aim_m * digger().motion.random().normal();

@@ -53,8 +53,9 @@ class ProgramLog {
     /// "2026-11-29T10:00:00Z placode-sim 4711 attempt_began task=suture_slit"
     void note(LogWord what, std::initializer_list<LogField> fields = {}) const noexcept;
 
-    static constexpr int64_t kMostBytes = 256 * 1024;  ///< Of one file; then it is put aside.
-    static constexpr int kOlder = 3;                   ///< Files that are kept beside it.
+    static constexpr int64_t kMostBytes =
+        int64_t{256} * 1024;          ///< Of one file; then it is put aside.
+    static constexpr int kOlder = 3;  ///< Files that are kept beside it.
 
  private:
     std::filesystem::path file_;
