@@ -93,12 +93,17 @@ bool AttemptLauncher::running() const { return process_.state() != QProcess::Not
 
 qint64 AttemptLauncher::processId() const { return process_.processId(); }
 
-void AttemptLauncher::start(AttemptOrder order, const QString& folder) {
+void AttemptLauncher::needReady() const {
     if (running())
         throw LaunchError(LaunchError::Kind::kBusy,
                           "another attempt is still running; stop it first");
+    if (program().isEmpty())
+        throw LaunchError(LaunchError::Kind::kMissing, simulator_missing(options_));
+}
+
+void AttemptLauncher::start(AttemptOrder order, const QString& folder) {
+    needReady();
     const QString path = program();
-    if (path.isEmpty()) throw LaunchError(LaunchError::Kind::kMissing, simulator_missing(options_));
     write_order(order, folder);
     order_ = order;
     status_ = {};

@@ -76,6 +76,8 @@ class AttemptLauncher : public QObject {
     void setLanguage(const QString& language) { options_.language = language; }
 
     [[nodiscard]] bool running() const;
+    /// Throws LaunchError where no attempt can be started: one runs, or there is no simulator.
+    void needReady() const;
     [[nodiscard]] qint64 processId() const;
     [[nodiscard]] const AttemptOrder& order() const { return order_; }
     [[nodiscard]] const LiveStatus& status() const { return status_; }

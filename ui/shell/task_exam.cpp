@@ -108,12 +108,7 @@ void TaskExam::prepare(AttemptOrder& order, bool haptic) {
         context_.store(), context_.user().id, course_, stage_->id,
         proctor ? proctor->login : std::string(), haptic ? device : std::string(), exam_now_utc());
     // What is known not to start uses up nothing.
-    const AttemptLauncher& launcher = context_.launcher();
-    if (launcher.program().isEmpty())
-        throw LaunchError(LaunchError::Kind::kMissing, simulator_missing(launcher.options()));
-    if (launcher.running())
-        throw LaunchError(LaunchError::Kind::kBusy,
-                          "another attempt is still running; stop it first");
+    context_.launcher().needReady();
     AttemptOrder trial = order;
     write_order(trial, context_.recordingsFolder());  // A full disk shows here.
     remove_recording(trial.recording_file);
