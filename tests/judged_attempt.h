@@ -3,12 +3,18 @@
 #pragma once
 // A whole attempt with its metrics and its score.
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "assessment/scoring.h"
 #include "curriculum/task.h"
 #include "sim/step/recording.h"
+#include "tests/attempt_fixture.h"
 
 namespace placode::test {
 
@@ -24,6 +30,19 @@ inline Outcome judged(const curriculum::Task& task, sim::Recording recording) {
     out.recording = std::move(recording);
     out.metrics = assessment::compute_metrics(out.recording);
     out.score = assessment::score_attempt(task.rubric, out.metrics, out.recording);
+    return out;
+}
+
+/// A whole attempt of the scripted operator. Points, and metrics that begin like one of `noted`,
+/// stand in the test's report.
+inline Outcome performed(const curriculum::Task& task, const std::string& level, uint64_t seed,
+                         const std::vector<std::string_view>& noted) {
+    Outcome out = judged(task, recorded(task, seed, scripted(level)));
+    for (const assessment::Metric& metric : out.metrics.values)
+        if (std::any_of(noted.begin(), noted.end(),
+                        [&](std::string_view each) { return metric.id.starts_with(each); }))
+            testing::Test::RecordProperty(level + "_" + metric.id, std::to_string(metric.value));
+    testing::Test::RecordProperty(level + "_points", std::to_string(out.score.points));
     return out;
 }
 

@@ -13,15 +13,10 @@ namespace THIS_TEST {
 
 using test::judged;
 using test::Outcome;
+using test::performed;
 
 Outcome perform(const std::string& level, uint64_t seed) {
-    const Task task = load_task("patch_place");
-    Outcome out = judged(task, test::recorded(task, seed, test::scripted(level)));
-    for (const assessment::Metric& metric : out.metrics.values)
-        if (metric.id.starts_with("patch_"))
-            ::testing::Test::RecordProperty(level + "_" + metric.id, std::to_string(metric.value));
-    ::testing::Test::RecordProperty(level + "_points", std::to_string(out.score.points));
-    return out;
+    return performed(load_task("patch_place"), level, seed, {"patch_"});
 }
 
 /// One attempt of the expert, for all tests of this file.

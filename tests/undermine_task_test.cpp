@@ -5,23 +5,16 @@
 
 #include "assessment/scoring.h"
 #include "curriculum/replay.h"
-#include "tests/attempt_fixture.h"
 #include "tests/judged_attempt.h"
 
 namespace placode::curriculum {
 namespace THIS_TEST {
 
-using test::judged;
 using test::Outcome;
+using test::performed;
 
 Outcome perform(const Task& task, const std::string& level, uint64_t seed = 1) {
-    Outcome out = judged(task, test::recorded(task, seed, test::scripted(level)));
-    for (const assessment::Metric& metric : out.metrics.values)
-        if (metric.id.starts_with("undermine_") || metric.id.starts_with("closing_") ||
-            metric.id.starts_with("torn_"))
-            ::testing::Test::RecordProperty(level + "_" + metric.id, std::to_string(metric.value));
-    ::testing::Test::RecordProperty(level + "_points", std::to_string(out.score.points));
-    return out;
+    return performed(task, level, seed, {"undermine_", "closing_", "torn_"});
 }
 
 /// One attempt of the expert, for all tests of this file.
