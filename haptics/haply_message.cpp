@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace placode::haptics {
 
@@ -100,7 +99,7 @@ void read_one(JsonScan& scan, int64_t t_ns, std::array<HaplyFound, HaplyParts::k
 
 void HaplyId::set(std::string_view name) noexcept {
     text_.fill('\0');
-    std::memcpy(text_.data(), name.data(), std::min(name.size(), text_.size() - 1));
+    std::copy_n(name.begin(), std::min(name.size(), text_.size() - 1), text_.begin());
 }
 
 void HaplyParts::read(std::string_view message, int64_t t_ns) noexcept {
