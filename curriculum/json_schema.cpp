@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <regex>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -244,13 +246,38 @@ std::string pointer_of(const std::vector<std::string>& context) {
     return pointer;
 }
 
-/// The last word. valijson's adapter is written for the library's sorted JSON type.
-void validate(const nlohmann::json& value, const nlohmann::json& schema_json,
-              const std::string& origin, const std::string& prefix) {
-    valijson::Schema schema;
+/// A schema file and what it says.
+struct KnownSchema {
+    std::string text;
+    Json json;
+    std::unique_ptr<valijson::Schema> schema;
+};
+
+/// valijson's adapter is written for the library's sorted JSON type.
+KnownSchema parse_schema(std::string text, const std::string& file) {
+    KnownSchema known{std::move(text), {}, std::make_unique<valijson::Schema>()};
+    known.json = parse_json(known.text, file);
+    const nlohmann::json sorted = nlohmann::json::parse(known.json.dump());
     valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
-    const valijson::adapters::NlohmannJsonAdapter schema_adapter(schema_json);
-    parser.populateSchema(schema_adapter, schema);
+    parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(sorted), *known.schema);
+    return known;
+}
+
+/// Parsing a schema takes longer than checking a definition with it. Each thread keeps its own, so
+/// that none waits; a file that was changed is parsed again.
+const KnownSchema& known_schema(const std::string& name) {
+    thread_local std::map<std::string, KnownSchema> all;
+    const std::filesystem::path file = data_folder() / "schemas" / (name + ".schema.json");
+    std::string text = read_definition(file);
+    const auto found = all.find(file.string());
+    if (found != all.end() && found->second.text == text) return found->second;
+    return all.insert_or_assign(file.string(), parse_schema(std::move(text), file.string()))
+        .first->second;
+}
+
+/// The last word.
+void validate(const nlohmann::json& value, const valijson::Schema& schema,
+              const std::string& origin, const std::string& prefix) {
     valijson::Validator validator;
     valijson::ValidationResults results;
     const valijson::adapters::NlohmannJsonAdapter target(value);
@@ -267,12 +294,10 @@ void validate(const nlohmann::json& value, const nlohmann::json& schema_json,
 
 void check_schema(const Json& value, const std::string& schema_name, const std::string& origin,
                   const std::string& prefix, Completeness completeness) {
-    const std::filesystem::path file = data_folder() / "schemas" / (schema_name + ".schema.json");
-    const Json schema = parse_json(read_definition(file), file.string());
-    Explainer(schema, origin, completeness).check(value, schema, prefix);
+    const KnownSchema& known = known_schema(schema_name);
+    Explainer(known.json, origin, completeness).check(value, known.json, prefix);
     if (completeness == Completeness::kWhole)
-        validate(nlohmann::json::parse(value.dump()), nlohmann::json::parse(schema.dump()), origin,
-                 prefix);
+        validate(nlohmann::json::parse(value.dump()), *known.schema, origin, prefix);
 }
 
 }  // namespace placode::curriculum
