@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/access.h"
 
+#include <QtGlobal>
 #include <algorithm>
 #include <array>
 #include <set>

@@ -2,37 +2,49 @@
 # SPDX-FileCopyrightText: 2026 The Placode authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Lets libFuzzer look for inputs that no loader stands, under AddressSanitizer and UBSan.
-#   scripts/fuzz.sh [SECONDS [LOADER...]]      600 s for each of all loaders
+# Lets libFuzzer look for inputs that no loader stands, under AddressSanitizer and UBSan, as many loaders at
+# once as there are processors.
+#   scripts/fuzz.sh [SECONDS [LOADER...]]      600 s for each of all loaders, or five million inputs
+#   scripts/fuzz.sh --list                     builds, and says which loaders there are
 # What it found stands in build/fuzz/found/LOADER; put it into tests/data/fuzz/LOADER, where the normal
 # suite tries it for ever, and mend the loader. The corpus grows in build/fuzz/corpus.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-. scripts/prepare.sh
-seconds=${1:-600}
-shift || true
-placode_install clang libclang-rt-14-dev
-placode_prepare fuzz fuzz
-fuzz=build/fuzz/tests/fuzz
-export PLACODE_STATION_KEY=$PWD/build/fuzz/station.key
-loaders=("$@")
-[ ${#loaders[@]} -gt 0 ] || mapfile -t loaders < <("$fuzz" --list)
-status=0
-printf '%-20s %12s %8s\n' loader executions found
-for loader in "${loaders[@]}"; do
-  export PLACODE_LOADER=$loader
-  corpus=build/fuzz/corpus/$loader found=build/fuzz/found/$loader log=build/fuzz/$loader.log
+export fuzz=build/fuzz/tests/fuzz
+
+# fuzz_one LOADER: a line of the table. A station key of its own, because several run at once.
+fuzz_one() {
+  local corpus=build/fuzz/corpus/$1 found=build/fuzz/found/$1 log=build/fuzz/$1.log ended=0 begun=$SECONDS
+  export PLACODE_LOADER=$1 PLACODE_STATION_KEY=$PWD/build/fuzz/$1.key
   mkdir -p "$corpus" "$found"
   "$fuzz" --seeds "$corpus"
-  ended=0
-  "$fuzz" -max_total_time="$seconds" -max_len=65536 -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=512 \
-    -print_final_stats=1 -artifact_prefix="$found/" "$corpus" >"$log" 2>&1 || ended=1
+  "$fuzz" -max_total_time="$seconds" -runs=5000000 -max_len=65536 -timeout=20 -rss_limit_mb=2048 \
+    -malloc_limit_mb=512 -print_final_stats=1 -artifact_prefix="$found/" "$corpus" >"$log" 2>&1 || ended=1
+  local runs bad
   runs=$(awk '/stat::number_of_executed_units/ {print $2}' "$log")
   bad=$(find "$found" -type f | wc -l)
   # A fuzzer that could not run has found nothing either.
   [ "$bad" -gt 0 ] || bad=$ended
-  [ "$bad" -eq 0 ] || status=1
-  printf '%-20s %12s %8s\n' "$loader" "${runs:-0}" "$bad"
-  [ -z "${PLACODE_BARS:-}" ] || echo "fuzzed: $loader,${runs:-0},$bad,$seconds" >>"$PLACODE_BARS"
-done
-exit "$status"
+  printf '%-20s %12s %8s\n' "$1" "${runs:-0}" "$bad"
+  [ -z "${PLACODE_BARS:-}" ] || echo "fuzzed: $1,${runs:-0},$bad,$((SECONDS - begun))" >>"$PLACODE_BARS"
+  [ "$bad" -eq 0 ]
+}
+export -f fuzz_one
+
+# long.sh calls this for one loader at a time, beside itself: built already.
+if [ "${1:-}" != --built ]; then
+  . scripts/prepare.sh
+  placode_install clang libclang-rt-14-dev >&2
+  placode_prepare fuzz fuzz >&2
+else
+  shift
+fi
+[ "${1:-}" != --list ] || exec "$fuzz" --list
+export seconds=${1:-600}
+shift || true
+loaders=("$@")
+if [ ${#loaders[@]} -eq 0 ]; then
+  mapfile -t loaders < <("$fuzz" --list)
+  printf '%-20s %12s %8s\n' loader executions found
+fi
+printf '%s\n' "${loaders[@]}" | xargs -P "$(nproc)" -I '{}' bash -c 'fuzz_one "{}"' || exit 1
