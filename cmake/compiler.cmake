@@ -196,6 +196,18 @@ std::string_view shader_text(std::string_view name) {
   target_sources(${target} PRIVATE ${out})
 endfunction()
 
+# placode_embed_translations(TARGET): what the folders without Qt say in Polish, out of the translation files, becomes
+# one generated source that defines placode::sim::embedded_translations() (declared in sim/core/translation.h).
+function(placode_embed_translations target)
+  set(folder ${PROJECT_SOURCE_DIR}/ui/shell/translations)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/write_translations.cmake)
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/embedded_translations.cpp)
+  add_custom_command(OUTPUT ${out} COMMAND ${CMAKE_COMMAND} -DPOLISH=${folder}/placode_pl.ts
+    -DENGLISH=${folder}/placode_en.ts "-DCONTEXTS=Attempt;Bilingual;Key" -DOUT=${out} -P ${script}
+    DEPENDS ${folder}/placode_pl.ts ${folder}/placode_en.ts ${script} VERBATIM)
+  target_sources(${target} PRIVATE ${out})
+endfunction()
+
 # placode_for_shared_library(TARGET...): static libraries that libplacode.so is made of as well. Their functions are
 # bound as in a program, so that the code stays as fast.
 function(placode_for_shared_library)
@@ -247,9 +259,11 @@ function(placode_ui_programs)
   # English. It is committed; `ninja placode_shell_lupdate` brings it up to date.
   # Without line numbers, or every change of a page would touch thousands of its lines.
   # What recordings, devices, store and portal say stands in their sources: `Said::that("...")`, `Web::phrase("...")`, and with a number
-  # `Web::count_phrase("%n attempt(s)", n)`. Of the other folders' words there are lists (translatable_strings.cpp).
+  # `Web::count_phrase("%n attempt(s)", n)`; so do sentences that are needed in both languages at once
+  # (`Bilingual::phrase`).
+  # Of the other folders' words there are lists (translatable_strings.cpp, translatable_attempt.cpp).
   file(GLOB texts CONFIGURE_DEPENDS ui/shell/*.cpp ui/shell/*.h haptics/*.cpp assessment/*.cpp curriculum/*.cpp db/*.cpp
-    db/*.h ui/web/*.cpp ui/web/*.h)
+    db/*.h reports/certificate_pdf.cpp ui/web/*.cpp ui/web/*.h)
   set(markers tr+=that,tr+=phrase,tr+=plain_phrase,QT_TR_N_NOOP+=count_phrase,QT_TR_N_NOOP+=plain_count_phrase)
   qt_add_translations(placode_shell TS_FILES ui/shell/translations/placode_pl.ts RESOURCE_PREFIX /i18n
     SOURCES ${texts} INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR}

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "curriculum/bilingual.h"
 #include "curriculum/utc_time.h"
-#include "sim/core/number_text.h"
 
 namespace placode::curriculum {
 namespace {
@@ -18,13 +18,8 @@ std::string day_of(const std::string& utc) {
     return seconds ? utc_day(*seconds) : utc;
 }
 
-std::string points(double value) { return sim::rounded_text(value, 4); }
-/// With the decimal sign of Polish.
-std::string points_pl(double value) {
-    std::string text = points(value);
-    std::replace(text.begin(), text.end(), '.', ',');
-    return text;
-}
+LocalText day_text(const std::string& utc) { return Bilingual::as_is(day_of(utc)); }
+LocalText points(double value) { return Bilingual::number(value, 4); }
 
 /// Everything a sentence may need.
 struct Case {
@@ -42,86 +37,59 @@ Case case_of(const Course& course, const CourseProgress& progress, size_t i,
     return {stage, progress.stages[i], title};
 }
 
-std::string attempts_pl(int n) {
-    const int ones = n % 10, tens = n % 100;
-    if (n == 1) return "próba";
-    return ones >= 2 && ones <= 4 && (tens < 12 || tens > 14) ? "próby" : "prób";
-}
-
-void add(LocalText& text, const std::string& en, const std::string& pl) {
-    text.en += (text.en.empty() ? "" : " ") + en;
-    text.pl += (text.pl.empty() ? "" : " ") + pl;
+void add(LocalText& text, const LocalText& more) {
+    text.en += (text.en.empty() ? "" : " ") + more.en;
+    text.pl += (text.pl.empty() ? "" : " ") + more.pl;
 }
 
 void add_limit(const Case& c, LocalText& text) {
-    const int left = c.own.attempts_left;
-    if (left < 0) return;
-    const std::string n = std::to_string(left);
-    add(text, n + (left == 1 ? " attempt is left." : " attempts are left."),
-        "Pozostało: " + n + " " + attempts_pl(left) + ".");
+    if (c.own.attempts_left >= 0)
+        add(text, Bilingual::count_phrase("%n attempt(s) is (are) left.", c.own.attempts_left));
 }
 
 LocalText why_refresh(const Case& c) {
-    const std::string day = day_of(c.own.refresh_utc), b = points(c.stage.benchmark_points);
-    return {"\"" + c.title.en + "\" was mastered, but not repeated since; from " + day +
-                " the skill fades. Reach " + b + " points once more.",
-            "„" + c.title.pl + "” zaliczono, ale od tego czasu nie powtarzano; od " + day +
-                " umiejętność słabnie. Osiągnij jeszcze raz " +
-                points_pl(c.stage.benchmark_points) + " pkt."};
+    return Bilingual::phrase(
+        "\"%1\" was mastered, but not repeated since; from %2 the skill fades. Reach %3 points "
+        "once more.",
+        {c.title, day_text(c.own.refresh_utc), points(c.stage.benchmark_points)});
 }
 
 LocalText why_start(const Case& c) {
     if (c.stage.mode == StageMode::kFamiliarisation)
-        return {"Get to know instruments and field with \"" + c.title.en +
-                    "\"; any finished attempt counts.",
-                "Poznaj narzędzia i pole w zadaniu „" + c.title.pl +
-                    "”; liczy się każda ukończona próba."};
+        return Bilingual::phrase(
+            "Get to know instruments and field with \"%1\"; any finished attempt counts.",
+            {c.title});
     // Attempts that do not count may have been made: nothing is said of trying.
-    const int times = c.stage.consecutive;
-    const std::string n = std::to_string(times);
-    LocalText text{"\"" + c.title.en +
-                       "\" is your next stage: no attempt of yours counts there yet. "
-                       "To master it, reach at least " +
-                       points(c.stage.benchmark_points) + " points" +
-                       (times == 1 ? ", once." : ", " + n + " times in a row."),
-                   "„" + c.title.pl +
-                       "” to Twój następny etap: nie liczy się w nim jeszcze żadna Twoja próba. "
-                       "Aby go zaliczyć, zdobądź co najmniej " +
-                       points_pl(c.stage.benchmark_points) + " pkt" +
-                       (times == 1 ? ", jeden raz." : ", " + n + " razy z rzędu.")};
+    LocalText text = Bilingual::count_phrase(
+        "\"%1\" is your next stage: no attempt of yours counts there yet. To master it, reach at "
+        "least %2 points, %n time(s) in a row.",
+        c.stage.consecutive, {c.title, points(c.stage.benchmark_points)});
     add_limit(c, text);
     return text;
 }
 
 LocalText why_continue(const Case& c, int to_go) {
-    const std::string b = points(c.stage.benchmark_points), n = std::to_string(to_go);
+    const LocalText benchmark = points(c.stage.benchmark_points);
     LocalText text;
     if (c.own.last_critical)
-        add(text, "The last attempt had a critical error, so the count begins again.",
-            "W ostatniej próbie był błąd krytyczny, więc liczenie zaczyna się od nowa.");
+        add(text,
+            Bilingual::phrase("The last attempt had a critical error, so the count begins again."));
     else if (c.own.streak == 0)
-        add(text, "Best so far: " + points(c.own.best_points) + " of the " + b + " points needed.",
-            "Najlepszy wynik: " + points_pl(c.own.best_points) + " z potrzebnych " +
-                points_pl(c.stage.benchmark_points) + " pkt.");
+        add(text, Bilingual::phrase("Best so far: %1 of the %2 points needed.",
+                                    {points(c.own.best_points), benchmark}));
     add(text,
-        "\"" + c.title.en + "\" needs " + n + (to_go == 1 ? " more attempt" : " more in a row") +
-            " at " + b + " points or above.",
-        "Do zaliczenia „" + c.title.pl + "” brakuje jeszcze: " + n + " " + attempts_pl(to_go) +
-            (to_go == 1 ? "" : " z rzędu") + " na " + points_pl(c.stage.benchmark_points) +
-            " pkt lub wyżej.");
+        Bilingual::count_phrase("\"%1\" needs %n more attempt(s) in a row at %2 points or above.",
+                                to_go, {c.title, benchmark}));
     add_limit(c, text);
     return text;
 }
 
 LocalText why_exam(const Case& c) {
-    const std::string number = std::to_string(c.own.attempts + 1);
-    LocalText text{
-        "Exam, attempt " + number + ": \"" + c.title.en + "\" without aids, case " +
-            std::to_string(c.own.next_seed) + ", " + points(c.stage.benchmark_points) + " points.",
-        "Egzamin, próba " + number + ": „" + c.title.pl + "” bez pomocy, przypadek " +
-            std::to_string(c.own.next_seed) + ", " + points_pl(c.stage.benchmark_points) + " pkt."};
-    if (c.stage.exam.proctor)
-        add(text, "A proctor has to be present.", "Musi być obecna osoba nadzorująca.");
+    LocalText text = Bilingual::phrase(
+        "Exam, attempt %1: \"%2\" without aids, case %3, %4 points.",
+        {Bilingual::as_is(std::to_string(c.own.attempts + 1)), c.title,
+         Bilingual::as_is(std::to_string(c.own.next_seed)), points(c.stage.benchmark_points)});
+    if (c.stage.exam.proctor) add(text, Bilingual::phrase("A proctor has to be present."));
     add_limit(c, text);
     return text;
 }
@@ -131,10 +99,9 @@ LocalText why_finished(const CourseProgress& progress) {
     for (const StageProgress& own : progress.stages)
         if (!own.refresh_utc.empty() && (earliest.empty() || own.refresh_utc < earliest))
             earliest = own.refresh_utc;
-    LocalText text{"All stages are mastered.", "Wszystkie etapy są zaliczone."};
+    LocalText text = Bilingual::phrase("All stages are mastered.");
     if (!earliest.empty())
-        add(text, "The next repetition is due on " + day_of(earliest) + ".",
-            "Najbliższe powtórzenie: " + day_of(earliest) + ".");
+        add(text, Bilingual::phrase("The next repetition is due on %1.", {day_text(earliest)}));
     return text;
 }
 
@@ -144,13 +111,10 @@ LocalText why_exhausted(const Course& course, const CourseProgress& progress,
     for (size_t i = 0; i < course.stages.size(); ++i) {
         if (progress.stages[i].status != StageStatus::kExhausted) continue;
         const Case c = case_of(course, progress, i, titles);
-        const int used = c.own.attempts;
-        return {"All " + std::to_string(used) + " attempts at \"" + c.title.en +
-                    "\" are used; ask an educator for more.",
-                "Wykorzystano wszystkie próby (" + std::to_string(used) + ") w zadaniu „" +
-                    c.title.pl + "”; poproś osobę prowadzącą o następne."};
+        return Bilingual::phrase("All %1 attempts at \"%2\" are used; ask an educator for more.",
+                                 {Bilingual::as_is(std::to_string(c.own.attempts)), c.title});
     }
-    return {"Nothing is open.", "Nic nie jest otwarte."};
+    return Bilingual::phrase("Nothing is open.");
 }
 
 void set_dates(const CourseDates& dates, const std::string& now_utc, NextStep& next) {
@@ -159,13 +123,11 @@ void set_dates(const CourseDates& dates, const std::string& now_utc, NextStep& n
     // A day is due to its end.
     next.overdue = *now >= *due + (dates.due_utc.size() == 10 ? kDayS : 0);
     if (next.overdue) {
-        add(next.reason, "The course was due on " + day_of(dates.due_utc) + ".",
-            "Termin kursu minął " + day_of(dates.due_utc) + ".");
+        add(next.reason, Bilingual::phrase("The course was due on %1.", {day_text(dates.due_utc)}));
         return;
     }
     next.days_left = static_cast<int>(std::max<int64_t>(0, *due - *now) / kDayS);
-    add(next.reason, "The course is due on " + day_of(dates.due_utc) + ".",
-        "Termin kursu: " + day_of(dates.due_utc) + ".");
+    add(next.reason, Bilingual::phrase("The course is due on %1.", {day_text(dates.due_utc)}));
 }
 
 void choose(const Course& course, const CourseProgress& progress,
@@ -222,8 +184,7 @@ NextStep next_step(const Course& course, const CourseProgress& progress,
     const auto now = utc_seconds(now_utc), starts = utc_seconds(dates.starts_utc);
     if (now && starts && *now < *starts) {
         next.kind = NextKind::kWait;
-        next.reason = {"The course begins on " + day_of(dates.starts_utc) + ".",
-                       "Kurs zaczyna się " + day_of(dates.starts_utc) + "."};
+        next.reason = Bilingual::phrase("The course begins on %1.", {day_text(dates.starts_utc)});
         return next;
     }
     choose(course, progress, titles, next);

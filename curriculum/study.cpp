@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "curriculum/bilingual.h"
 #include "curriculum/json_reader.h"
 #include "sim/core/random.h"
 
@@ -143,15 +144,10 @@ void check_references(const StudyProtocol& study, const std::string& origin) {
 
 /// What participants are told.
 LocalText kept_for(int years) {
-    const std::string n = std::to_string(years);
-    const bool few = years % 10 >= 2 && years % 10 <= 4 && (years % 100 < 12 || years % 100 > 14);
-    return {"What is recorded of you in this study is kept for " + n +
-                (years == 1 ? " year" : " years") + " after your last step, and then erased.",
-            "To, co zapisano o Tobie w tym badaniu, przechowuje się przez " + n +
-                (years == 1 ? " rok"
-                 : few      ? " lata"
-                            : " lat") +
-                " od Twojego ostatniego kroku, a potem usuwa."};
+    return Bilingual::count_phrase(
+        "What is recorded of you in this study is kept for %n year(s) after your last step, and "
+        "then erased.",
+        years);
 }
 
 }  // namespace

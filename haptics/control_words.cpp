@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/core/translation.h"
+
 namespace placode::haptics {
 
 namespace {
@@ -13,16 +15,19 @@ namespace {
 using sim::Key;
 using Replacement = std::pair<std::string, std::string>;
 
-/// In both languages, as the sentences have them.
+/// As the sentences have them, in the English of the translation file: in Polish "with the left
+/// stick" is another form of the same words.
 constexpr std::pair<std::string_view, std::string_view> kButtons[] = {
-    {"left button", "right button"}, {"lewy przycisk", "prawy przycisk"}};
+    {"left button", "right button"}};
 constexpr std::pair<std::string_view, std::string_view> kSticks[] = {
     {"left stick", "right stick"},
     {"Left stick", "Right stick"},
-    {"lewa ga\xC5\x82ka", "prawa ga\xC5\x82ka"},
-    {"Lewa ga\xC5\x82ka", "Prawa ga\xC5\x82ka"},
-    {"lew\xC4\x85 ga\xC5\x82k\xC4\x85", "praw\xC4\x85 ga\xC5\x82k\xC4\x85"},
-    {"Lew\xC4\x85 ga\xC5\x82k\xC4\x85", "Praw\xC4\x85 ga\xC5\x82k\xC4\x85"}};
+    {"with the left stick", "with the right stick"},
+    {"With the left stick", "With the right stick"}};
+
+std::string said_in(std::string_view language, std::string_view english) {
+    return std::string(sim::translated("Attempt", english, language));
+}
 
 /// Part of a word: a letter, a digit, or any byte of a letter that is not of the English alphabet.
 constexpr bool in_word(char c) noexcept {
@@ -31,10 +36,11 @@ constexpr bool in_word(char c) noexcept {
 }
 
 void add_exchanged(std::vector<Replacement>& out,
-                   std::span<const std::pair<std::string_view, std::string_view>> pairs) {
+                   std::span<const std::pair<std::string_view, std::string_view>> pairs,
+                   std::string_view language) {
     for (const auto& [one, other] : pairs) {
-        out.emplace_back(one, other);
-        out.emplace_back(other, one);
+        out.emplace_back(said_in(language, one), said_in(language, other));
+        out.emplace_back(said_in(language, other), said_in(language, one));
     }
 }
 
@@ -48,13 +54,8 @@ void name_arrows(std::vector<Replacement>& out, const ControlLayout& layout,
         names += (names.empty() ? "" : " ") + key_name_in(layout.key_for(does), language);
     }
     if (same) return;
-    for (const char* words : {"arrow keys", "Arrow keys", "arrows",
-                              "klawisze strza\xC5\x82"
-                              "ek",
-                              "Klawisze strza\xC5\x82"
-                              "ek",
-                              "strza\xC5\x82ki"})
-        out.emplace_back(words, names);
+    for (const char* words : {"arrow keys", "Arrow keys", "arrows"})
+        out.emplace_back(said_in(language, words), names);
 }
 
 /// What is said otherwise than as delivered.
@@ -66,8 +67,10 @@ std::vector<Replacement> replacements(const ControlLayout& layout, HintDevice de
             out.emplace_back(key_name_in(does, language),
                              key_name_in(layout.key_for(does), language));
     };
-    if (device == HintDevice::kMouse && layout.buttons_exchanged) add_exchanged(out, kButtons);
-    if (device == HintDevice::kGamepad && layout.sticks_exchanged) add_exchanged(out, kSticks);
+    if (device == HintDevice::kMouse && layout.buttons_exchanged)
+        add_exchanged(out, kButtons, language);
+    if (device == HintDevice::kGamepad && layout.sticks_exchanged)
+        add_exchanged(out, kSticks, language);
     if (device == HintDevice::kKeyboard) name_arrows(out, layout, language);
     for (const Control& control : layout_controls())
         if (is_key_with(device, control.does)) add(control.does);
@@ -82,8 +85,7 @@ bool is_key_with(HintDevice device, Key does) noexcept {
 }
 
 std::string key_name_in(Key key, std::string_view language) {
-    if (key == Key::kSpace && language == "pl") return "Spacja";
-    return std::string(key_name(key));
+    return std::string(sim::translated("Key", key_name(key), language));
 }
 
 std::string in_layout(std::string_view text, const ControlLayout& layout, HintDevice device,

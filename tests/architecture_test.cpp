@@ -319,6 +319,24 @@ TEST(Architecture, QtEntersOnlyFromDbOn) {
     }
 }
 
+// One file of Polish, ui/shell/translations/placode_pl.ts: no table beside it, not in escapes
+// either. (Texts of definitions are data.)
+TEST(Architecture, NoSourceHoldsPolish) {
+    const char* const letters[]{
+        "ą", "ć", "ę", "ł", "ń", "ó", "ś", "ź",         "ż",         "Ą",         "Ć",        "Ę",
+        "Ł", "Ń", "Ó", "Ś", "Ź", "Ż", "„", R"(\xC4\x)", R"(\xC5\x)", R"(\xc4\x)", R"(\xc5\x)"};
+    for (const fs::path& path : sources()) {
+        std::ifstream in(path);
+        const std::string text(std::istreambuf_iterator<char>(in), {});
+        for (const char* letter : letters) {
+            const size_t at = text.find(letter);
+            EXPECT_EQ(at, std::string::npos)
+                << path.string() << ": " << letter
+                << " in: " << text.substr(at == std::string::npos ? 0 : at, 60);
+        }
+    }
+}
+
 TEST(Architecture, EveryFileCarriesTheLicence) {
     for (const fs::path& path : sources()) {
         std::ifstream in(path);

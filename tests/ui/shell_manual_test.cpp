@@ -67,10 +67,6 @@ std::set<QString> words_on_screen(const QString& language) {
     const char* element =
         language == "en" ? "<source>([^<]*)</source>" : "<(?:translation|numerusform)>([^<]*)</";
     for (const QString& text : all_of(strings, element)) words.insert(as_words(unescaped(text)));
-    const char* pair = language == "en" ? "\\{\"([^\"]*)\",\\s*\"[^\"]*\"\\}"
-                                        : "\\{\"[^\"]*\",\\s*\"([^\"]*)\"\\}";
-    for (const QString& text : all_of(source("ui/view/strings.cpp"), pair))
-        words.insert(as_words(text));
     return words;
 }
 

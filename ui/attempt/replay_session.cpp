@@ -13,9 +13,11 @@
 
 #include "curriculum/replay.h"
 #include "db/recording_file.h"
+#include "sim/core/number_text.h"
 #include "ui/attempt/attempt_overlay.h"
 #include "ui/attempt/sessions.h"
 #include "ui/view/fetoscope_view.h"
+#include "ui/view/strings.h"
 
 namespace placode::ui {
 namespace {
@@ -37,28 +39,24 @@ constexpr size_t kKeyFrameBytes = size_t{400}
 /// What stands at the foot of the picture, in the user's language.
 /// @param pace reached where that is less than was asked for [simulated s/s]; 0 = as asked for.
 std::string foot_text(const ReplayWish& wish, double pace, double target_s, bool at_end,
-                      bool polish) {
-    static constexpr const char* kEnglish[]{"as operated", "from above", "from the left",
+                      const std::string& language) {
+    static constexpr const char* kCameras[]{"as operated", "from above", "from the left",
                                             "from the feet", "near the tip"};
-    static constexpr const char* kPolish[]{"jak podczas próby", "z góry", "z lewej",
-                                           "od strony stóp", "blisko końcówki"};
-    const auto camera = static_cast<size_t>(wish.camera);
-    char speed[64];
-    std::snprintf(speed, sizeof speed, "%gx", wish.speed);
-    std::string text = speed;
-    if (pace > 0 && target_s < 0 && !at_end && !wish.paused) {
-        std::snprintf(speed, sizeof speed, polish ? " (komputer: %.1fx)" : " (computer: %.1fx)",
-                      pace);
-        text += speed;
-    }
-    text += "   ";
-    text += polish ? kPolish[camera] : kEnglish[camera];
+    const auto say = [&](const char* english) { return view::translated(english, language); };
+    const auto say_with = [&](const char* english, const std::string& part) {
+        std::string text = say(english);
+        return text.replace(text.find("%1"), 2, part);
+    };
+    std::string text = sim::rounded_text(wish.speed, 6) + "x";
+    if (pace > 0 && target_s < 0 && !at_end && !wish.paused)
+        text += " " + say_with("(computer: %1x)", sim::fixed_text(pace, 1));
+    text += "   " + say(kCameras[static_cast<size_t>(wish.camera)]);
     if (target_s >= 0)
-        text += (polish ? "   symulacja do " : "   simulating to ") + view::clock_text(target_s);
+        text += "   " + say_with("simulating to %1", view::clock_text(target_s));
     else if (at_end)
-        text += polish ? "   koniec zapisu" : "   end of the recording";
+        text += "   " + say("end of the recording");
     else if (wish.paused)
-        text += polish ? "   pauza" : "   paused";
+        text += "   " + say("paused");
     return text;
 }
 
@@ -183,8 +181,8 @@ class Watcher {
             return;
         }
         const bool behind = paced_ && pace_ < kNearlyAsAsked * wish_.speed;
-        overlay_.notice = foot_text(wish_, behind ? pace_ : 0, target_s_, at_end_,
-                                    arguments_.language == std::string("pl"));
+        overlay_.notice =
+            foot_text(wish_, behind ? pace_ : 0, target_s_, at_end_, arguments_.language);
         view_->draw(snapshot_, overlay_);
     }
 

@@ -24,7 +24,7 @@ struct Findable {
     QString manual;  ///< A page of the manual, instead of a place.
 };
 
-/// Lower case without accents: "Źródło" finds with "zrodlo".
+/// Lower case without accents: letters with strokes and tails are found without them.
 [[nodiscard]] QString folded(const QString& text);
 
 /// Those whose key holds every word that was typed: titles that begin with it first, then pages,

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What the attempt window says, in English and Polish. One table, looked up by the English text.
+// What the attempt window says, by its English text. The Polish stands in the translation file
+// (sim/core/translation.h, context Attempt).
 
 #include <string>
 #include <string_view>

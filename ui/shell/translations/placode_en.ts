@@ -278,4 +278,35 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>Bilingual</name>
+    <message numerus="yes">
+        <source>%n attempt(s) is (are) left.</source>
+        <translation>
+            <numerusform>%n attempt is left.</numerusform>
+            <numerusform>%n attempts are left.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; is your next stage: no attempt of yours counts there yet. To master it, reach at least %2 points, %n time(s) in a row.</source>
+        <translation>
+            <numerusform>&quot;%1&quot; is your next stage: no attempt of yours counts there yet. To master it, reach at least %2 points, once.</numerusform>
+            <numerusform>&quot;%1&quot; is your next stage: no attempt of yours counts there yet. To master it, reach at least %2 points, %n times in a row.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; needs %n more attempt(s) in a row at %2 points or above.</source>
+        <translation>
+            <numerusform>&quot;%1&quot; needs %n more attempt at %2 points or above.</numerusform>
+            <numerusform>&quot;%1&quot; needs %n more in a row at %2 points or above.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>What is recorded of you in this study is kept for %n year(s) after your last step, and then erased.</source>
+        <translation>
+            <numerusform>What is recorded of you in this study is kept for %n year after your last step, and then erased.</numerusform>
+            <numerusform>What is recorded of you in this study is kept for %n years after your last step, and then erased.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

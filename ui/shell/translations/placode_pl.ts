@@ -13055,4 +13055,1393 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Administratorzy logują się swoim hasłem.</translation>
     </message>
 </context>
+<context>
+    <name>Attempt</name>
+    <message>
+        <source>Inspect</source>
+        <translation>Oględziny</translation>
+    </message>
+    <message>
+        <source>Incise</source>
+        <translation>Nacięcie</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Uwolnienie</translation>
+    </message>
+    <message>
+        <source>Resect</source>
+        <translation>Wycięcie</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Kontrola</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Ćwiczenie</translation>
+    </message>
+    <message>
+        <source>CUT</source>
+        <translation>CIĘCIE</translation>
+    </message>
+    <message>
+        <source>COAG</source>
+        <translation>KOAG.</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>siła</translation>
+    </message>
+    <message>
+        <source>needle</source>
+        <translation>igła</translation>
+    </message>
+    <message>
+        <source>hook</source>
+        <translation>haczyk</translation>
+    </message>
+    <message>
+        <source>grasper</source>
+        <translation>chwytak</translation>
+    </message>
+    <message>
+        <source>scissors</source>
+        <translation>nożyczki</translation>
+    </message>
+    <message>
+        <source>probe</source>
+        <translation>sonda</translation>
+    </message>
+    <message>
+        <source>needle driver</source>
+        <translation>imadło</translation>
+    </message>
+    <message>
+        <source>take the needle</source>
+        <translation>chwyć igłę</translation>
+    </message>
+    <message>
+        <source>draw the needle through</source>
+        <translation>przeciągnij igłę</translation>
+    </message>
+    <message>
+        <source>draw the thread until the edges meet</source>
+        <translation>ciągnij nić, aż brzegi się zetkną</translation>
+    </message>
+    <message>
+        <source>smooth out the folds</source>
+        <translation>wygładź fałdy</translation>
+    </message>
+    <message>
+        <source>as far as the line, all round</source>
+        <translation>aż do linii, dookoła</translation>
+    </message>
+    <message>
+        <source>washed off: %1</source>
+        <translation>spłukano: %1</translation>
+    </message>
+    <message>
+        <source>dry: %1</source>
+        <translation>odessano: %1</translation>
+    </message>
+    <message>
+        <source>freed: %1</source>
+        <translation>uwolniono: %1</translation>
+    </message>
+    <message>
+        <source>irrigator</source>
+        <translation>irygator</translation>
+    </message>
+    <message>
+        <source>Jet presses on the placode</source>
+        <translation>Strumień uciska płytkę</translation>
+    </message>
+    <message>
+        <source>Suction holds tissue</source>
+        <translation>Ssak trzyma tkankę</translation>
+    </message>
+    <message>
+        <source>needle in</source>
+        <translation>wkłucie</translation>
+    </message>
+    <message>
+        <source>needle out</source>
+        <translation>wykłucie</translation>
+    </message>
+    <message>
+        <source>Tab: back to the %1</source>
+        <translation>Tab: z powrotem %1</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>okrąg</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>wyjęto</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>pozostało %1</translation>
+    </message>
+    <message>
+        <source>%1 done</source>
+        <translation>gotowe: %1</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>jeszcze %1</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>utkwiło</translation>
+    </message>
+    <message>
+        <source>Stuck in tissue: draw back</source>
+        <translation>Końcówka utkwiła w tkance: cofnij</translation>
+    </message>
+    <message>
+        <source>Ring closed: lift the needle</source>
+        <translation>Okrąg zamknięty: unieś igłę</translation>
+    </message>
+    <message>
+        <source>%1 mm inside tissue</source>
+        <translation>%1 mm w tkance</translation>
+    </message>
+    <message>
+        <source>%1 mm above</source>
+        <translation>%1 mm nad tkanką</translation>
+    </message>
+    <message>
+        <source>%1 mm away</source>
+        <translation>do celu %1 mm</translation>
+    </message>
+    <message>
+        <source>straight down</source>
+        <translation>prosto w dół</translation>
+    </message>
+    <message>
+        <source>below the tip</source>
+        <translation>pod końcówką</translation>
+    </message>
+    <message>
+        <source>no contact: a little deeper</source>
+        <translation>brak kontaktu: trochę głębiej</translation>
+    </message>
+    <message>
+        <source>touches</source>
+        <translation>dotyka</translation>
+    </message>
+    <message>
+        <source>now the yellow pedal</source>
+        <translation>teraz żółty pedał</translation>
+    </message>
+    <message>
+        <source>now the blue pedal</source>
+        <translation>teraz niebieski pedał</translation>
+    </message>
+    <message>
+        <source>now hold the left button</source>
+        <translation>teraz przytrzymaj lewy przycisk</translation>
+    </message>
+    <message>
+        <source>now hold the right button</source>
+        <translation>teraz przytrzymaj prawy przycisk</translation>
+    </message>
+    <message>
+        <source>now hold X</source>
+        <translation>teraz przytrzymaj X</translation>
+    </message>
+    <message>
+        <source>now hold C</source>
+        <translation>teraz przytrzymaj C</translation>
+    </message>
+    <message>
+        <source>now close the jaws</source>
+        <translation>teraz zamknij szczęki</translation>
+    </message>
+    <message>
+        <source>open the jaws</source>
+        <translation>otwórz szczęki</translation>
+    </message>
+    <message>
+        <source>turn it on, then open the jaws</source>
+        <translation>obracaj dalej, potem otwórz szczęki</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pauza</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Kontynuuj</translation>
+    </message>
+    <message>
+        <source>Finish and score</source>
+        <translation>Zakończ i oceń</translation>
+    </message>
+    <message>
+        <source>Leave without finishing</source>
+        <translation>Wyjdź bez kończenia</translation>
+    </message>
+    <message>
+        <source>Arrows and Enter, or the mouse</source>
+        <translation>Strzałki i Enter albo mysz</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>Sterowanie</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION</source>
+        <translation>POKAZ</translation>
+    </message>
+    <message>
+        <source>F1 help   Esc pause   hold Enter: finish</source>
+        <translation>F1 pomoc   Esc pauza   przytrzymaj Enter: koniec</translation>
+    </message>
+    <message>
+        <source>F1 keys   Space pause   ← → 5 s   ↑ ↓ speed   V camera   Q close</source>
+        <translation>F1 klawisze   Spacja pauza   ← → 5 s   ↑ ↓ prędkość   V kamera   Q zamknij</translation>
+    </message>
+    <message>
+        <source>Replay: practice</source>
+        <translation>Odtwarzanie: ćwiczenie</translation>
+    </message>
+    <message>
+        <source>Replay: exam</source>
+        <translation>Odtwarzanie: egzamin</translation>
+    </message>
+    <message>
+        <source>Replay: study</source>
+        <translation>Odtwarzanie: badanie</translation>
+    </message>
+    <message>
+        <source>Hold Enter to finish</source>
+        <translation>Przytrzymaj Enter, aby zakończyć</translation>
+    </message>
+    <message>
+        <source>The clock starts with your first motion</source>
+        <translation>Zegar rusza z pierwszym ruchem</translation>
+    </message>
+    <message>
+        <source>Paused: another window is in front</source>
+        <translation>Pauza: na wierzchu jest inne okno</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Zakończ</translation>
+    </message>
+    <message>
+        <source>Finish the attempt?</source>
+        <translation>Zakończyć próbę?</translation>
+    </message>
+    <message>
+        <source>Leave the attempt?</source>
+        <translation>Opuścić próbę?</translation>
+    </message>
+    <message>
+        <source>Close the window?</source>
+        <translation>Zamknąć okno?</translation>
+    </message>
+    <message>
+        <source>Go on operating</source>
+        <translation>Operuj dalej</translation>
+    </message>
+    <message>
+        <source>The study asks for at least %1. Ended after %2 it does not count.</source>
+        <translation>Badanie wymaga co najmniej %1. Zakończona po %2 nie liczy się.</translation>
+    </message>
+    <message>
+        <source>Only %2 have passed; it usually takes %1.</source>
+        <translation>Minęło dopiero %2; zwykle trwa to %1.</translation>
+    </message>
+    <message>
+        <source>This is an exam: an end is final.</source>
+        <translation>To jest egzamin: koniec jest ostateczny.</translation>
+    </message>
+    <message>
+        <source>This is an exam: leaving uses up this attempt.</source>
+        <translation>To jest egzamin: wyjście zużywa tę próbę.</translation>
+    </message>
+    <message>
+        <source>The exam has not begun yet: leaving uses up nothing.</source>
+        <translation>Egzamin jeszcze się nie zaczął: wyjście niczego nie zużywa.</translation>
+    </message>
+    <message>
+        <source>Leave: uses up an attempt</source>
+        <translation>Wyjdź: zużywa próbę</translation>
+    </message>
+    <message>
+        <source>Leave: has to be done again</source>
+        <translation>Wyjdź: trzeba powtórzyć od początku</translation>
+    </message>
+    <message>
+        <source>A procedure that is broken off has to be done again from the start.</source>
+        <translation>Przerwany zabieg trzeba powtórzyć od początku.</translation>
+    </message>
+    <message>
+        <source>This procedure then is over for good.</source>
+        <translation>Ten zabieg zakończy się wtedy na dobre.</translation>
+    </message>
+    <message>
+        <source>An attempt that is left is kept as interrupted and counts for nothing.</source>
+        <translation>Opuszczona próba zostaje zapisana jako przerwana i nie liczy się.</translation>
+    </message>
+    <message>
+        <source>The attempt has not begun yet: nothing is kept.</source>
+        <translation>Próba jeszcze się nie zaczęła: nic nie zostanie zapisane.</translation>
+    </message>
+    <message>
+        <source>No tuning in a study</source>
+        <translation>W badaniu nie ma strojenia</translation>
+    </message>
+    <message>
+        <source>No help in an exam</source>
+        <translation>Podczas egzaminu nie ma pomocy</translation>
+    </message>
+    <message>
+        <source>This computer is too slow: the attempt will not count. Close other programs, or make the window smaller</source>
+        <translation>Ten komputer jest za wolny: próba nie będzie się liczyć. Zamknij inne programy lub zmniejsz okno</translation>
+    </message>
+    <message>
+        <source>This computer is slow: the picture was made simpler</source>
+        <translation>Ten komputer jest wolny: uproszczono obraz</translation>
+    </message>
+    <message>
+        <source>The field is being prepared ...</source>
+        <translation>Pole operacyjne jest przygotowywane ...</translation>
+    </message>
+    <message>
+        <source>Screenshot saved</source>
+        <translation>Zapisano zrzut ekranu</translation>
+    </message>
+    <message>
+        <source>Screenshot could not be saved</source>
+        <translation>Nie udało się zapisać zrzutu ekranu</translation>
+    </message>
+    <message>
+        <source>Placode touched</source>
+        <translation>Dotknięto płytki nerwowej</translation>
+    </message>
+    <message>
+        <source>Placode heated</source>
+        <translation>Płytka nerwowa przegrzana</translation>
+    </message>
+    <message>
+        <source>Placode burned</source>
+        <translation>Płytka nerwowa oparzona</translation>
+    </message>
+    <message>
+        <source>Beside the mark</source>
+        <translation>Obok celu</translation>
+    </message>
+    <message>
+        <source>TUNED, not scored</source>
+        <translation>STROJONE, bez oceny</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Strojenie</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Tkanka</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Sztywność</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Tłumienie</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Tarcie</translation>
+    </message>
+    <message>
+        <source>Failure stretch</source>
+        <translation>Rozciągnięcie zerwania</translation>
+    </message>
+    <message>
+        <source>Cut power</source>
+        <translation>Moc cięcia</translation>
+    </message>
+    <message>
+        <source>Coag power</source>
+        <translation>Moc koagulacji</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Skóra</translation>
+    </message>
+    <message>
+        <source>Thin skin</source>
+        <translation>Cienka skóra</translation>
+    </message>
+    <message>
+        <source>Subcutis</source>
+        <translation>Tkanka podskórna</translation>
+    </message>
+    <message>
+        <source>Muscle</source>
+        <translation>Mięsień</translation>
+    </message>
+    <message>
+        <source>Junctional zone</source>
+        <translation>Strefa łącząca</translation>
+    </message>
+    <message>
+        <source>Placode</source>
+        <translation>Płytka nerwowa</translation>
+    </message>
+    <message>
+        <source>Gel</source>
+        <translation>Żel</translation>
+    </message>
+    <message>
+        <source>Dura</source>
+        <translation>Opona twarda</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Przywróć</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Zapisz jako zestaw</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nazwa:</translation>
+    </message>
+    <message>
+        <source>Saved as</source>
+        <translation>Zapisano jako</translation>
+    </message>
+    <message>
+        <source>Enter saves, Esc does not</source>
+        <translation>Enter zapisuje, Esc nie</translation>
+    </message>
+    <message>
+        <source>Everything as the scene says</source>
+        <translation>Wszystko jak w scenie</translation>
+    </message>
+    <message>
+        <source>Nothing was changed: there is nothing to save</source>
+        <translation>Nic nie zmieniono: nie ma czego zapisać</translation>
+    </message>
+    <message>
+        <source>Time stands still. Arrows or mouse tune, F2 goes on.</source>
+        <translation>Czas stoi. Strzałki lub mysz stroją, F2 wraca do operacji.</translation>
+    </message>
+    <message>
+        <source>No tuning in an exam</source>
+        <translation>Podczas egzaminu nie ma strojenia</translation>
+    </message>
+    <message>
+        <source>No sound on this computer</source>
+        <translation>Brak dźwięku na tym komputerze</translation>
+    </message>
+    <message>
+        <source>Sound off</source>
+        <translation>Dźwięk wyłączony</translation>
+    </message>
+    <message>
+        <source>Sound on</source>
+        <translation>Dźwięk włączony</translation>
+    </message>
+    <message>
+        <source>L wipes the lens</source>
+        <translation>L przeciera optykę</translation>
+    </message>
+    <message>
+        <source>Wipe the lens</source>
+        <translation>Przetarcie optyki</translation>
+    </message>
+    <message>
+        <source>One minute left</source>
+        <translation>Została minuta</translation>
+    </message>
+    <message>
+        <source>Ten seconds left</source>
+        <translation>Zostało dziesięć sekund</translation>
+    </message>
+    <message>
+        <source>Sound off, louder, softer</source>
+        <translation>Dźwięk: wył., głośniej, ciszej</translation>
+    </message>
+    <message>
+        <source>Clinician&apos;s tuning; does not count</source>
+        <translation>Strojenie przez klinicystę; próba się nie liczy</translation>
+    </message>
+    <message>
+        <source>Once something is changed, this attempt does not count.</source>
+        <translation>Gdy coś zostanie zmienione, ta próba nie będzie się liczyć.</translation>
+    </message>
+    <message>
+        <source>This attempt was tuned: it does not count.</source>
+        <translation>Ta próba była strojona: nie liczy się.</translation>
+    </message>
+    <message>
+        <source>Energy in air</source>
+        <translation>Energia poza tkanką</translation>
+    </message>
+    <message>
+        <source>Too long on one spot</source>
+        <translation>Za długo w jednym miejscu</translation>
+    </message>
+    <message>
+        <source>Too much force</source>
+        <translation>Za duża siła</translation>
+    </message>
+    <message>
+        <source>Tissue torn</source>
+        <translation>Rozerwanie tkanki</translation>
+    </message>
+    <message>
+        <source>COMPUTER TOO SLOW, does not count</source>
+        <translation>KOMPUTER ZA WOLNY, nie liczy się</translation>
+    </message>
+    <message>
+        <source>Grasp slips</source>
+        <translation>Tkanka wysuwa się ze szczęk</translation>
+    </message>
+    <message>
+        <source>Needle slips in the jaws</source>
+        <translation>Igła ślizga się w szczękach</translation>
+    </message>
+    <message>
+        <source>Needle turns in the jaws</source>
+        <translation>Igła obraca się w szczękach</translation>
+    </message>
+    <message>
+        <source>Thread cuts through tissue</source>
+        <translation>Nić przecina tkankę</translation>
+    </message>
+    <message>
+        <source>Thread torn out</source>
+        <translation>Nić wyrwana z tkanki</translation>
+    </message>
+    <message>
+        <source>Tissue crushed</source>
+        <translation>Tkanka zmiażdżona</translation>
+    </message>
+    <message>
+        <source>Pulled too hard</source>
+        <translation>Za mocne pociąganie</translation>
+    </message>
+    <message>
+        <source>Placode cut</source>
+        <translation>Płytka nacięta</translation>
+    </message>
+    <message>
+        <source>Too close to the placode</source>
+        <translation>Za blisko płytki</translation>
+    </message>
+    <message>
+        <source>Energy out of view</source>
+        <translation>Energia poza polem widzenia</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Zakończono</translation>
+    </message>
+    <message>
+        <source>Move the instrument</source>
+        <translation>Ruch narzędzia</translation>
+    </message>
+    <message>
+        <source>Deeper, shallower</source>
+        <translation>Głębiej, płycej</translation>
+    </message>
+    <message>
+        <source>Shallower, deeper</source>
+        <translation>Płycej, głębiej</translation>
+    </message>
+    <message>
+        <source>Move the scope</source>
+        <translation>Ruch fetoskopu</translation>
+    </message>
+    <message>
+        <source>middle button</source>
+        <translation>środkowy przycisk</translation>
+    </message>
+    <message>
+        <source>Shift + mouse</source>
+        <translation>Shift + mysz</translation>
+    </message>
+    <message>
+        <source>Shift + wheel</source>
+        <translation>Shift + kółko</translation>
+    </message>
+    <message>
+        <source>The same, four times as far</source>
+        <translation>To samo, czterokrotnie dalej</translation>
+    </message>
+    <message>
+        <source>arrows</source>
+        <translation>strzałki</translation>
+    </message>
+    <message>
+        <source>left bumper</source>
+        <translation>lewy przycisk górny</translation>
+    </message>
+    <message>
+        <source>Turn about the shaft</source>
+        <translation>Obrót wokół osi</translation>
+    </message>
+    <message>
+        <source>Cut (yellow pedal)</source>
+        <translation>Cięcie (żółty pedał)</translation>
+    </message>
+    <message>
+        <source>Coagulate (blue pedal)</source>
+        <translation>Koagulacja (niebieski pedał)</translation>
+    </message>
+    <message>
+        <source>Precise</source>
+        <translation>Precyzyjnie</translation>
+    </message>
+    <message>
+        <source>Next instrument</source>
+        <translation>Następne narzędzie</translation>
+    </message>
+    <message>
+        <source>Hold the instrument still</source>
+        <translation>Narzędzie stoi</translation>
+    </message>
+    <message>
+        <source>Planned line on, off</source>
+        <translation>Linia planowana wł., wył.</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Wydajność</translation>
+    </message>
+    <message>
+        <source>Screenshot</source>
+        <translation>Zrzut ekranu</translation>
+    </message>
+    <message>
+        <source>Pause and menu; lets the pointer out</source>
+        <translation>Pauza i menu; uwalnia wskaźnik</translation>
+    </message>
+    <message>
+        <source>hold Enter</source>
+        <translation>przytrzymaj Enter</translation>
+    </message>
+    <message>
+        <source>Finish and be scored</source>
+        <translation>Zakończ i oceń</translation>
+    </message>
+    <message>
+        <source>Pause, go on</source>
+        <translation>Pauza, dalej</translation>
+    </message>
+    <message>
+        <source>Space, Esc</source>
+        <translation>Spacja, Esc</translation>
+    </message>
+    <message>
+        <source>5 s back, 5 s on</source>
+        <translation>5 s wstecz, 5 s dalej</translation>
+    </message>
+    <message>
+        <source>Faster, slower</source>
+        <translation>Szybciej, wolniej</translation>
+    </message>
+    <message>
+        <source>Next camera</source>
+        <translation>Następna kamera</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>Help on, off</source>
+        <translation>Pomoc wł., wył.</translation>
+    </message>
+    <message>
+        <source>Help; the clock stands still</source>
+        <translation>Pomoc; zegar stoi</translation>
+    </message>
+    <message>
+        <source>The clock stands still. Space, Enter or a click goes on.</source>
+        <translation>Zegar stoi. Spacja, Enter lub kliknięcie: dalej.</translation>
+    </message>
+    <message>
+        <source>mouse</source>
+        <translation>mysz</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>kółko</translation>
+    </message>
+    <message>
+        <source>left button</source>
+        <translation>lewy przycisk</translation>
+    </message>
+    <message>
+        <source>right button</source>
+        <translation>prawy przycisk</translation>
+    </message>
+    <message>
+        <source>left stick</source>
+        <translation>lewa gałka</translation>
+    </message>
+    <message>
+        <source>triggers</source>
+        <translation>spusty</translation>
+    </message>
+    <message>
+        <source>right stick</source>
+        <translation>prawa gałka</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>ramię</translation>
+    </message>
+    <message>
+        <source>pedals</source>
+        <translation>pedały</translation>
+    </message>
+    <message>
+        <source>The simulated operator works by itself; watch.</source>
+        <translation>Symulowany operator pracuje sam; patrz.</translation>
+    </message>
+    <message>
+        <source>as operated</source>
+        <translation>jak podczas próby</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>z góry</translation>
+    </message>
+    <message>
+        <source>from the left</source>
+        <translation>z lewej</translation>
+    </message>
+    <message>
+        <source>from the feet</source>
+        <translation>od strony stóp</translation>
+    </message>
+    <message>
+        <source>near the tip</source>
+        <translation>blisko końcówki</translation>
+    </message>
+    <message>
+        <source>(computer: %1x)</source>
+        <translation>(komputer: %1x)</translation>
+    </message>
+    <message>
+        <source>simulating to %1</source>
+        <translation>symulacja do %1</translation>
+    </message>
+    <message>
+        <source>end of the recording</source>
+        <translation>koniec zapisu</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>pauza</translation>
+    </message>
+    <message>
+        <source>Left stick</source>
+        <translation>Lewa gałka</translation>
+    </message>
+    <message>
+        <source>Right stick</source>
+        <translation>Prawa gałka</translation>
+    </message>
+    <message>
+        <source>with the left stick</source>
+        <translation>lewą gałką</translation>
+    </message>
+    <message>
+        <source>with the right stick</source>
+        <translation>prawą gałką</translation>
+    </message>
+    <message>
+        <source>With the left stick</source>
+        <translation>Lewą gałką</translation>
+    </message>
+    <message>
+        <source>With the right stick</source>
+        <translation>Prawą gałką</translation>
+    </message>
+    <message>
+        <source>arrow keys</source>
+        <translation>klawisze strzałek</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Klawisze strzałek</translation>
+    </message>
+</context>
+<context>
+    <name>Bilingual</name>
+    <message>
+        <source>Move the mouse. Ctrl makes it precise, Space holds the instrument still.</source>
+        <translation>Ruszaj myszą. Ctrl: precyzyjnie, Spacja: narzędzie stoi.</translation>
+    </message>
+    <message>
+        <source>W A S D. Ctrl makes it precise.</source>
+        <translation>W A S D. Ctrl: precyzyjnie.</translation>
+    </message>
+    <message>
+        <source>Left stick. The left bumper makes it precise.</source>
+        <translation>Lewa gałka. Lewy przycisk górny: precyzyjnie.</translation>
+    </message>
+    <message>
+        <source>Push the cap sideways, up and down.</source>
+        <translation>Popychaj gałkę na boki, w górę i w dół.</translation>
+    </message>
+    <message>
+        <source>Move the handle sideways. The tip goes the other way, as through a port.</source>
+        <translation>Poruszaj uchwytem na boki. Końcówka idzie w przeciwną stronę, jak przez port.</translation>
+    </message>
+    <message>
+        <source>Turn the wheel: away from you is deeper. Shift makes it quicker.</source>
+        <translation>Kręć kółkiem: od siebie to głębiej. Shift: szybciej.</translation>
+    </message>
+    <message>
+        <source>F goes deeper, R back.</source>
+        <translation>F głębiej, R z powrotem.</translation>
+    </message>
+    <message>
+        <source>Right trigger goes deeper, left trigger back.</source>
+        <translation>Prawy spust głębiej, lewy z powrotem.</translation>
+    </message>
+    <message>
+        <source>Push the cap away from you to go deeper, pull it to come back.</source>
+        <translation>Popchnij gałkę od siebie, by wejść głębiej, pociągnij, by wrócić.</translation>
+    </message>
+    <message>
+        <source>Push the handle in to go deeper, draw it out to come back.</source>
+        <translation>Wsuń uchwyt, by wejść głębiej, wysuń, by wrócić.</translation>
+    </message>
+    <message>
+        <source>Hold Shift and move the mouse sideways.</source>
+        <translation>Przytrzymaj Shift i ruszaj myszą na boki.</translation>
+    </message>
+    <message>
+        <source>Q and E turn.</source>
+        <translation>Q i E obracają.</translation>
+    </message>
+    <message>
+        <source>Right stick, sideways.</source>
+        <translation>Prawa gałka, na boki.</translation>
+    </message>
+    <message>
+        <source>Twist the cap.</source>
+        <translation>Przekręcaj gałkę.</translation>
+    </message>
+    <message>
+        <source>Turn the handle about its axis.</source>
+        <translation>Obracaj uchwyt wokół osi.</translation>
+    </message>
+    <message>
+        <source>Go above the ring, then down with the wheel, notch by notch. Ctrl makes notches small.</source>
+        <translation>Ustaw się nad pierścieniem, potem w dół kółkiem, ząbek po ząbku. Ctrl: małe ząbki.</translation>
+    </message>
+    <message>
+        <source>Go above the ring, then F with Ctrl.</source>
+        <translation>Ustaw się nad pierścieniem, potem F z Ctrl.</translation>
+    </message>
+    <message>
+        <source>Go above the ring, then the right trigger with the left bumper.</source>
+        <translation>Ustaw się nad pierścieniem, potem prawy spust z lewym przyciskiem górnym.</translation>
+    </message>
+    <message>
+        <source>Go above the ring, then push the cap gently away from you.</source>
+        <translation>Ustaw się nad pierścieniem, potem delikatnie popchnij gałkę od siebie.</translation>
+    </message>
+    <message>
+        <source>Go above the ring, then push the handle in until the tip touches.</source>
+        <translation>Ustaw się nad pierścieniem, potem wsuwaj uchwyt, aż końcówka dotknie.</translation>
+    </message>
+    <message>
+        <source>Touch the ring&apos;s middle, then hold the left button: yellow pedal, cut.</source>
+        <translation>Dotknij środka pierścienia, potem przytrzymaj lewy przycisk: żółty pedał, cięcie.</translation>
+    </message>
+    <message>
+        <source>Touch the ring&apos;s middle, then hold X: yellow pedal, cut.</source>
+        <translation>Dotknij środka pierścienia, potem przytrzymaj X: żółty pedał, cięcie.</translation>
+    </message>
+    <message>
+        <source>Touch the ring&apos;s middle, then hold A: yellow pedal, cut.</source>
+        <translation>Dotknij środka pierścienia, potem przytrzymaj A: żółty pedał, cięcie.</translation>
+    </message>
+    <message>
+        <source>Touch the ring&apos;s middle, then hold the left button or the yellow pedal: cut.</source>
+        <translation>Dotknij środka pierścienia, potem przytrzymaj lewy przycisk lub żółty pedał: cięcie.</translation>
+    </message>
+    <message>
+        <source>Touch the ring&apos;s middle, then press the yellow pedal: cut.</source>
+        <translation>Dotknij środka pierścienia, potem naciśnij żółty pedał: cięcie.</translation>
+    </message>
+    <message>
+        <source>Touch the ring&apos;s middle, then hold the right button: blue pedal, coagulation.</source>
+        <translation>Dotknij środka pierścienia, potem przytrzymaj prawy przycisk: niebieski pedał, koagulacja.</translation>
+    </message>
+    <message>
+        <source>Touch the ring&apos;s middle, then hold C: blue pedal, coagulation.</source>
+        <translation>Dotknij środka pierścienia, potem przytrzymaj C: niebieski pedał, koagulacja.</translation>
+    </message>
+    <message>
+        <source>Touch the ring&apos;s middle, then hold B: blue pedal, coagulation.</source>
+        <translation>Dotknij środka pierścienia, potem przytrzymaj B: niebieski pedał, koagulacja.</translation>
+    </message>
+    <message>
+        <source>Touch the ring&apos;s middle, then hold the right button or the blue pedal: coagulation.</source>
+        <translation>Dotknij środka pierścienia, potem przytrzymaj prawy przycisk lub niebieski pedał: koagulacja.</translation>
+    </message>
+    <message>
+        <source>Touch the ring&apos;s middle, then press the blue pedal: coagulation.</source>
+        <translation>Dotknij środka pierścienia, potem naciśnij niebieski pedał: koagulacja.</translation>
+    </message>
+    <message>
+        <source>Down until it touches, then hold the left button: the jaws close.</source>
+        <translation>W dół, aż dotknie, potem przytrzymaj lewy przycisk: szczęki się zamkną.</translation>
+    </message>
+    <message>
+        <source>Down until it touches, then hold X: the jaws close.</source>
+        <translation>W dół, aż dotknie, potem przytrzymaj X: szczęki się zamkną.</translation>
+    </message>
+    <message>
+        <source>Down until it touches, then hold A: the jaws close.</source>
+        <translation>W dół, aż dotknie, potem przytrzymaj A: szczęki się zamkną.</translation>
+    </message>
+    <message>
+        <source>Push in until it touches, then close the handle or hold its first button.</source>
+        <translation>Wsuń, aż dotknie, potem zamknij uchwyt lub przytrzymaj jego pierwszy przycisk.</translation>
+    </message>
+    <message>
+        <source>Let go of the left button.</source>
+        <translation>Puść lewy przycisk.</translation>
+    </message>
+    <message>
+        <source>Let go of X.</source>
+        <translation>Puść X.</translation>
+    </message>
+    <message>
+        <source>Let go of A.</source>
+        <translation>Puść A.</translation>
+    </message>
+    <message>
+        <source>Open the handle, or let go of its button.</source>
+        <translation>Otwórz uchwyt lub puść jego przycisk.</translation>
+    </message>
+    <message>
+        <source>Down with the wheel until the tip nearly touches, then follow the line with the mouse.</source>
+        <translation>Kółkiem w dół, aż końcówka prawie dotknie, potem prowadź ją myszą wzdłuż linii.</translation>
+    </message>
+    <message>
+        <source>F until the tip nearly touches, then W A S D with Ctrl along the line.</source>
+        <translation>F, aż końcówka prawie dotknie, potem W A S D z Ctrl wzdłuż linii.</translation>
+    </message>
+    <message>
+        <source>Right trigger until the tip nearly touches, then the left stick along the line.</source>
+        <translation>Prawy spust, aż końcówka prawie dotknie, potem lewa gałka wzdłuż linii.</translation>
+    </message>
+    <message>
+        <source>Push the cap away from you until the tip nearly touches, then sideways along the line.</source>
+        <translation>Popchnij gałkę od siebie, aż końcówka prawie dotknie, potem na boki wzdłuż linii.</translation>
+    </message>
+    <message>
+        <source>Push the handle in until the tip nearly touches, then follow the line.</source>
+        <translation>Wsuń uchwyt, aż końcówka prawie dotknie, potem prowadź ją wzdłuż linii.</translation>
+    </message>
+    <message>
+        <source>Hold the left button to grasp, Tab keeps it held; grasp with the other hand, then pull gently.</source>
+        <translation>Przytrzymaj lewy przycisk, by chwycić, Tab zostawia chwyt; chwyć drugą ręką i delikatnie ciągnij.</translation>
+    </message>
+    <message>
+        <source>Hold X to grasp, Tab keeps it held; grasp with the other hand, then pull gently with Ctrl.</source>
+        <translation>Przytrzymaj X, by chwycić, Tab zostawia chwyt; chwyć drugą ręką i delikatnie ciągnij z Ctrl.</translation>
+    </message>
+    <message>
+        <source>Hold A to grasp, Tab on the keyboard keeps it held; grasp with the other hand, then pull gently.</source>
+        <translation>Przytrzymaj A, by chwycić, Tab na klawiaturze zostawia chwyt; chwyć drugą ręką i delikatnie ciągnij.</translation>
+    </message>
+    <message>
+        <source>Hold the left button to grasp, Tab on the keyboard keeps it held; grasp with the other hand, then pull gently.</source>
+        <translation>Przytrzymaj lewy przycisk, by chwycić, Tab na klawiaturze zostawia chwyt; chwyć drugą ręką i delikatnie ciągnij.</translation>
+    </message>
+    <message>
+        <source>Grasp with both hands, then pull gently until both bars stand in the green band.</source>
+        <translation>Chwyć obiema rękami, potem delikatnie ciągnij, aż oba paski staną w zielonym polu.</translation>
+    </message>
+    <message>
+        <source>Wheel towards you.</source>
+        <translation>Kółko do siebie.</translation>
+    </message>
+    <message>
+        <source>R draws back.</source>
+        <translation>R cofa.</translation>
+    </message>
+    <message>
+        <source>Left trigger draws back.</source>
+        <translation>Lewy spust cofa.</translation>
+    </message>
+    <message>
+        <source>Pull the cap towards you.</source>
+        <translation>Pociągnij gałkę do siebie.</translation>
+    </message>
+    <message>
+        <source>Draw the handle out.</source>
+        <translation>Wysuń uchwyt.</translation>
+    </message>
+    <message>
+        <source>Mouse and wheel bring the point over the mark; Shift and mouse sideways turn it in.</source>
+        <translation>Mysz i kółko ustawiają ostrze nad znakiem; Shift i mysz na boki wkłuwają je obrotem.</translation>
+    </message>
+    <message>
+        <source>W A S D, F and R bring the point over the mark; Q and E turn it in.</source>
+        <translation>W A S D, F i R ustawiają ostrze nad znakiem; Q i E wkłuwają je obrotem.</translation>
+    </message>
+    <message>
+        <source>Left stick and triggers bring the point over the mark; the right stick turns it in.</source>
+        <translation>Lewa gałka i spusty ustawiają ostrze nad znakiem; prawa gałka wkłuwa je obrotem.</translation>
+    </message>
+    <message>
+        <source>Push the cap until the point stands over the mark; twist it to turn the needle in.</source>
+        <translation>Popychaj gałkę, aż ostrze stanie nad znakiem; skręć ją, by wkłuć igłę obrotem.</translation>
+    </message>
+    <message>
+        <source>Bring the point over the mark, then turn the handle about its axis.</source>
+        <translation>Ustaw ostrze nad znakiem, potem obracaj uchwyt wokół osi.</translation>
+    </message>
+    <message>
+        <source>Go on turning with Shift and the mouse until the point comes out.</source>
+        <translation>Obracaj dalej z Shift i myszą, aż ostrze wyjdzie.</translation>
+    </message>
+    <message>
+        <source>Go on turning with Q or E until the point comes out.</source>
+        <translation>Obracaj dalej klawiszem Q lub E, aż ostrze wyjdzie.</translation>
+    </message>
+    <message>
+        <source>Go on turning with the right stick until the point comes out.</source>
+        <translation>Obracaj dalej prawą gałką, aż ostrze wyjdzie.</translation>
+    </message>
+    <message>
+        <source>Go on twisting the cap until the point comes out.</source>
+        <translation>Skręcaj dalej gałkę, aż ostrze wyjdzie.</translation>
+    </message>
+    <message>
+        <source>Go on turning the handle until the point comes out.</source>
+        <translation>Obracaj dalej uchwyt, aż ostrze wyjdzie.</translation>
+    </message>
+    <message>
+        <source>Press and let go of the left button, go over the needle behind its point, hold the button.</source>
+        <translation>Naciśnij i puść lewy przycisk, najedź na igłę za ostrzem i przytrzymaj przycisk.</translation>
+    </message>
+    <message>
+        <source>Press and let go of X, go over the needle behind its point, hold X.</source>
+        <translation>Naciśnij i puść X, najedź na igłę za ostrzem i przytrzymaj X.</translation>
+    </message>
+    <message>
+        <source>Press and let go of A, go over the needle behind its point, hold A.</source>
+        <translation>Naciśnij i puść A, najedź na igłę za ostrzem i przytrzymaj A.</translation>
+    </message>
+    <message>
+        <source>Press and let go of the left button, go over the needle behind its point, hold it again.</source>
+        <translation>Naciśnij i puść lewy przycisk, najedź na igłę za ostrzem i znów go przytrzymaj.</translation>
+    </message>
+    <message>
+        <source>Open the handle, go over the needle behind its point, and close it.</source>
+        <translation>Otwórz uchwyt, najedź na igłę za ostrzem i zamknij go.</translation>
+    </message>
+    <message>
+        <source>Hold the left button and turn with Shift and the mouse, round the needle&apos;s own circle.</source>
+        <translation>Trzymaj lewy przycisk i obracaj z Shift i myszą, po okręgu igły.</translation>
+    </message>
+    <message>
+        <source>Hold X and turn with Q or E, round the needle&apos;s own circle.</source>
+        <translation>Trzymaj X i obracaj klawiszem Q lub E, po okręgu igły.</translation>
+    </message>
+    <message>
+        <source>Hold A and turn with the right stick, round the needle&apos;s own circle.</source>
+        <translation>Trzymaj A i obracaj prawą gałką, po okręgu igły.</translation>
+    </message>
+    <message>
+        <source>Hold the left button and twist the cap, round the needle&apos;s own circle.</source>
+        <translation>Trzymaj lewy przycisk i skręcaj gałkę, po okręgu igły.</translation>
+    </message>
+    <message>
+        <source>Keep it closed and turn the handle, round the needle&apos;s own circle.</source>
+        <translation>Trzymaj zamknięty i obracaj uchwyt, po okręgu igły.</translation>
+    </message>
+    <message>
+        <source>Hold the left button and draw back with the wheel, towards you; go slowly once it is taut.</source>
+        <translation>Trzymaj lewy przycisk i ciągnij kółkiem do siebie; powoli, gdy nić się napnie.</translation>
+    </message>
+    <message>
+        <source>Hold X and draw back with R; with Ctrl once it is taut.</source>
+        <translation>Trzymaj X i ciągnij klawiszem R; z Ctrl, gdy nić się napnie.</translation>
+    </message>
+    <message>
+        <source>Hold A and draw back with the left trigger; go slowly once it is taut.</source>
+        <translation>Trzymaj A i ciągnij lewym spustem; powoli, gdy nić się napnie.</translation>
+    </message>
+    <message>
+        <source>Hold the left button and pull the cap towards you; go slowly once it is taut.</source>
+        <translation>Trzymaj lewy przycisk i ciągnij gałkę do siebie; powoli, gdy nić się napnie.</translation>
+    </message>
+    <message>
+        <source>Keep it closed and draw the handle out; go slowly once you feel the thread.</source>
+        <translation>Trzymaj zamknięty i wysuwaj uchwyt; powoli, gdy poczujesz nić.</translation>
+    </message>
+    <message>
+        <source>Down with the wheel at the ring until the jaws touch, then hold the left button.</source>
+        <translation>Kółkiem w dół przy pierścieniu, aż szczęki dotkną, potem przytrzymaj lewy przycisk.</translation>
+    </message>
+    <message>
+        <source>F at the ring until the jaws touch, then hold X.</source>
+        <translation>F przy pierścieniu, aż szczęki dotkną, potem przytrzymaj X.</translation>
+    </message>
+    <message>
+        <source>Right trigger at the ring until the jaws touch, then hold A.</source>
+        <translation>Prawy spust przy pierścieniu, aż szczęki dotkną, potem przytrzymaj A.</translation>
+    </message>
+    <message>
+        <source>Push the cap at the ring until the jaws touch, then hold the left button.</source>
+        <translation>Popchnij gałkę przy pierścieniu, aż szczęki dotkną, potem przytrzymaj lewy przycisk.</translation>
+    </message>
+    <message>
+        <source>Push the handle in at the ring until the jaws touch, then close it.</source>
+        <translation>Wsuń uchwyt przy pierścieniu, aż szczęki dotkną, potem go zamknij.</translation>
+    </message>
+    <message>
+        <source>Keep the left button down, lift a little with the wheel, draw it over with the mouse, lower it.</source>
+        <translation>Trzymaj lewy przycisk, unieś trochę kółkiem, przeciągnij myszą na miejsce, opuść.</translation>
+    </message>
+    <message>
+        <source>Keep X down, lift a little with R, draw it over with W A S D, lower it with F.</source>
+        <translation>Trzymaj X, unieś trochę klawiszem R, przeciągnij W A S D na miejsce, opuść klawiszem F.</translation>
+    </message>
+    <message>
+        <source>Keep A down, lift a little with the left trigger, draw it over with the left stick, lower it.</source>
+        <translation>Trzymaj A, unieś trochę lewym spustem, przeciągnij lewą gałką na miejsce, opuść.</translation>
+    </message>
+    <message>
+        <source>Keep the left button down, lift a little with the cap, draw it over sideways, lower it.</source>
+        <translation>Trzymaj lewy przycisk, unieś trochę gałką, przeciągnij w bok na miejsce, opuść.</translation>
+    </message>
+    <message>
+        <source>Keep it closed, lift a little, draw it over its place, lower it.</source>
+        <translation>Trzymaj zamknięty, unieś trochę, przeciągnij na miejsce, opuść.</translation>
+    </message>
+    <message>
+        <source>Let go of the left button; where a fold is, take its rim again and draw it outwards.</source>
+        <translation>Puść lewy przycisk; gdzie jest fałda, chwyć znów brzeg i pociągnij go na zewnątrz.</translation>
+    </message>
+    <message>
+        <source>Let go of X; where a fold is, take its rim again and draw it outwards.</source>
+        <translation>Puść X; gdzie jest fałda, chwyć znów brzeg i pociągnij go na zewnątrz.</translation>
+    </message>
+    <message>
+        <source>Let go of A; where a fold is, take its rim again and draw it outwards.</source>
+        <translation>Puść A; gdzie jest fałda, chwyć znów brzeg i pociągnij go na zewnątrz.</translation>
+    </message>
+    <message>
+        <source>Open the handle; where a fold is, take its rim again and draw it outwards.</source>
+        <translation>Otwórz uchwyt; gdzie jest fałda, chwyć znów brzeg i pociągnij go na zewnątrz.</translation>
+    </message>
+    <message>
+        <source>Stay 1 cm above, point the jet beside the ring, hold the left button: water.</source>
+        <translation>Zostań 1 cm nad polem, skieruj strumień obok pierścienia, przytrzymaj lewy przycisk: woda.</translation>
+    </message>
+    <message>
+        <source>Stay 1 cm above, point the jet beside the ring, hold X: water.</source>
+        <translation>Zostań 1 cm nad polem, skieruj strumień obok pierścienia, przytrzymaj X: woda.</translation>
+    </message>
+    <message>
+        <source>Stay 1 cm above, point the jet beside the ring, hold A: water.</source>
+        <translation>Zostań 1 cm nad polem, skieruj strumień obok pierścienia, przytrzymaj A: woda.</translation>
+    </message>
+    <message>
+        <source>Stay 1 cm above, point the jet beside the ring, press the yellow pedal: water.</source>
+        <translation>Zostań 1 cm nad polem, skieruj strumień obok pierścienia, naciśnij żółty pedał: woda.</translation>
+    </message>
+    <message>
+        <source>Down with the wheel into the fluid at the ring, not onto tissue; hold the right button.</source>
+        <translation>Kółkiem w dół do płynu przy pierścieniu, nie na tkankę; przytrzymaj prawy przycisk.</translation>
+    </message>
+    <message>
+        <source>F down into the fluid at the ring, not onto tissue; hold C.</source>
+        <translation>F w dół do płynu przy pierścieniu, nie na tkankę; przytrzymaj C.</translation>
+    </message>
+    <message>
+        <source>Right trigger down into the fluid at the ring, not onto tissue; hold B.</source>
+        <translation>Prawy spust w dół do płynu przy pierścieniu, nie na tkankę; przytrzymaj B.</translation>
+    </message>
+    <message>
+        <source>Push the cap down into the fluid at the ring, not onto tissue; hold the right button.</source>
+        <translation>Popchnij gałkę w dół do płynu przy pierścieniu, nie na tkankę; przytrzymaj prawy przycisk.</translation>
+    </message>
+    <message>
+        <source>Down into the fluid at the ring, not onto tissue; press the blue pedal.</source>
+        <translation>W dół do płynu przy pierścieniu, nie na tkankę; naciśnij niebieski pedał.</translation>
+    </message>
+    <message>
+        <source>Left button down, in below the lifted edge, raise the tip by 2 mm with the wheel; deeper.</source>
+        <translation>Lewy przycisk, wejdź pod uniesiony brzeg, unieś końcówkę kółkiem o 2 mm; potem głębiej.</translation>
+    </message>
+    <message>
+        <source>Hold X, in below the lifted edge, raise the tip by 2 mm with R, F down; deeper.</source>
+        <translation>Trzymaj X, wejdź pod uniesiony brzeg, R unosi końcówkę o 2 mm, F opuszcza; potem głębiej.</translation>
+    </message>
+    <message>
+        <source>Hold A, in below the lifted edge, raise the tip by 2 mm with the left trigger; deeper.</source>
+        <translation>Trzymaj A, wejdź pod uniesiony brzeg, unieś końcówkę o 2 mm lewym spustem; potem głębiej.</translation>
+    </message>
+    <message>
+        <source>Left button down, in below the lifted edge, raise the tip by 2 mm with the cap; deeper.</source>
+        <translation>Lewy przycisk, wejdź pod uniesiony brzeg, unieś końcówkę gałką o 2 mm; potem głębiej.</translation>
+    </message>
+    <message>
+        <source>Closed, in below the lifted edge; raise the tip and open a little, 2 mm; then deeper.</source>
+        <translation>Zamknięty wejdź pod uniesiony brzeg; unieś końcówkę o 2 mm, trochę otwierając; potem głębiej.</translation>
+    </message>
+    <message>
+        <source>Hold the middle button and move the mouse.</source>
+        <translation>Przytrzymaj środkowy przycisk i ruszaj myszą.</translation>
+    </message>
+    <message>
+        <source>Arrow keys.</source>
+        <translation>Klawisze strzałek.</translation>
+    </message>
+    <message>
+        <source>Tab changes hands.</source>
+        <translation>Tab zmienia rękę.</translation>
+    </message>
+    <message>
+        <source>Tab on the keyboard changes hands.</source>
+        <translation>Tab na klawiaturze zmienia rękę.</translation>
+    </message>
+    <message>
+        <source>With one arm: tap its second button to change hands.</source>
+        <translation>Jedno ramię: jego drugi przycisk zmienia rękę.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was mastered, but not repeated since; from %2 the skill fades. Reach %3 points once more.</source>
+        <translation>„%1” zaliczono, ale od tego czasu nie powtarzano; od %2 umiejętność słabnie. Osiągnij jeszcze raz %3 pkt.</translation>
+    </message>
+    <message>
+        <source>Get to know instruments and field with &quot;%1&quot;; any finished attempt counts.</source>
+        <translation>Poznaj narzędzia i pole w zadaniu „%1”; liczy się każda ukończona próba.</translation>
+    </message>
+    <message>
+        <source>The last attempt had a critical error, so the count begins again.</source>
+        <translation>W ostatniej próbie był błąd krytyczny, więc liczenie zaczyna się od nowa.</translation>
+    </message>
+    <message>
+        <source>Best so far: %1 of the %2 points needed.</source>
+        <translation>Najlepszy wynik: %1 z potrzebnych %2 pkt.</translation>
+    </message>
+    <message>
+        <source>Exam, attempt %1: &quot;%2&quot; without aids, case %3, %4 points.</source>
+        <translation>Egzamin, próba %1: „%2” bez pomocy, przypadek %3, %4 pkt.</translation>
+    </message>
+    <message>
+        <source>A proctor has to be present.</source>
+        <translation>Musi być obecna osoba nadzorująca.</translation>
+    </message>
+    <message>
+        <source>All stages are mastered.</source>
+        <translation>Wszystkie etapy są zaliczone.</translation>
+    </message>
+    <message>
+        <source>The next repetition is due on %1.</source>
+        <translation>Najbliższe powtórzenie: %1.</translation>
+    </message>
+    <message>
+        <source>All %1 attempts at &quot;%2&quot; are used; ask an educator for more.</source>
+        <translation>Wykorzystano wszystkie próby (%1) w zadaniu „%2”; poproś osobę prowadzącą o następne.</translation>
+    </message>
+    <message>
+        <source>Nothing is open.</source>
+        <translation>Nic nie jest otwarte.</translation>
+    </message>
+    <message>
+        <source>The course was due on %1.</source>
+        <translation>Termin kursu minął %1.</translation>
+    </message>
+    <message>
+        <source>The course is due on %1.</source>
+        <translation>Termin kursu: %1.</translation>
+    </message>
+    <message>
+        <source>The course begins on %1.</source>
+        <translation>Kurs zaczyna się %1.</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Zaświadczenie</translation>
+    </message>
+    <message>
+        <source>This is to certify that</source>
+        <translation>Niniejszym zaświadcza się, że</translation>
+    </message>
+    <message>
+        <source>has mastered all %1 stages of the course</source>
+        <translation>zalicza wszystkie etapy kursu (%1)</translation>
+    </message>
+    <message>
+        <source>version %1, mastered on %2, issued on %3, code %4</source>
+        <translation>wersja %1, zaliczono %2, wydano %3, kod %4</translation>
+    </message>
+    <message>
+        <source>Mastery in simulation by the rules of this course version; not a licence to operate.</source>
+        <translation>Zaliczenie w symulacji według zasad tej wersji kursu; nie jest uprawnieniem do operowania.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) is (are) left.</source>
+        <translation>
+            <numerusform>Pozostało: %n próba.</numerusform>
+            <numerusform>Pozostało: %n próby.</numerusform>
+            <numerusform>Pozostało: %n prób.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; is your next stage: no attempt of yours counts there yet. To master it, reach at least %2 points, %n time(s) in a row.</source>
+        <translation>
+            <numerusform>„%1” to Twój następny etap: nie liczy się w nim jeszcze żadna Twoja próba. Aby go zaliczyć, zdobądź co najmniej %2 pkt, jeden raz.</numerusform>
+            <numerusform>„%1” to Twój następny etap: nie liczy się w nim jeszcze żadna Twoja próba. Aby go zaliczyć, zdobądź co najmniej %2 pkt, %n razy z rzędu.</numerusform>
+            <numerusform>„%1” to Twój następny etap: nie liczy się w nim jeszcze żadna Twoja próba. Aby go zaliczyć, zdobądź co najmniej %2 pkt, %n razy z rzędu.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%1&quot; needs %n more attempt(s) in a row at %2 points or above.</source>
+        <translation>
+            <numerusform>Do zaliczenia „%1” brakuje jeszcze: %n próba na %2 pkt lub wyżej.</numerusform>
+            <numerusform>Do zaliczenia „%1” brakuje jeszcze: %n próby z rzędu na %2 pkt lub wyżej.</numerusform>
+            <numerusform>Do zaliczenia „%1” brakuje jeszcze: %n prób z rzędu na %2 pkt lub wyżej.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>What is recorded of you in this study is kept for %n year(s) after your last step, and then erased.</source>
+        <translation>
+            <numerusform>To, co zapisano o Tobie w tym badaniu, przechowuje się przez %n rok od Twojego ostatniego kroku, a potem usuwa.</numerusform>
+            <numerusform>To, co zapisano o Tobie w tym badaniu, przechowuje się przez %n lata od Twojego ostatniego kroku, a potem usuwa.</numerusform>
+            <numerusform>To, co zapisano o Tobie w tym badaniu, przechowuje się przez %n lat od Twojego ostatniego kroku, a potem usuwa.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Key</name>
+    <message>
+        <source>Space</source>
+        <translation>Spacja</translation>
+    </message>
+</context>
 </TS>
