@@ -121,7 +121,8 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
         result.exam.proctor.empty() ? std::nullopt : context_.find_staff(result.exam.proctor);
     for (VoidReason& doubt : doubts_in_store(context_, user, proctor, result, checksum))
         voids.push_back(std::move(doubt));
-    ExamCheck exam = check_exam(context_, user, proctor.has_value(), result);
+    const bool proctored = proctor && proctor->id != user_id;
+    ExamCheck exam = check_exam(context_, user, proctored, result);
     std::move(exam.doubts.begin(), exam.doubts.end(), std::back_inserter(voids));
     // Under the account's number, which stays when the name is erased.
     const std::string kept_proctor = proctor ? user_object(proctor->id)

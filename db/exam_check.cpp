@@ -19,6 +19,15 @@ bool own_word(StoreContext& context, const UserRecord& user, const AttemptResult
     return result.order || context.is_self(user.id);
 }
 
+/// Somebody else than the examined person says that it was an exam: a proctor, who signs in with
+/// the program, or an account that may save for others. Whoever has the file of a store, or a
+/// service's log-in, is nobody in particular.
+bool vouched(StoreContext& context, const UserRecord& user, bool proctor) {
+    if (context.is_self(user.id)) return proctor && !context.connection.hides_passwords();
+    const bool signed_in = context.actor.kind == Actor::Kind::kAccount;
+    return proctor || (signed_in && context.may(Action::kSaveAttempt));
+}
+
 /// @param why with a translation as what the store says.
 std::optional<VoidReason> closed(const char* why) {
     return VoidReason{VoidCause::kExamClosed, 0, 0, Said::listed(why)};
@@ -44,6 +53,18 @@ std::optional<VoidReason> closed_by_now(StoreContext& context, const UserRecord&
     if (result.header.task_id != stage->task_id || result.header.seed != due)
         return closed(QT_TRANSLATE_NOOP("Said", "another case is due by now"));
     return std::nullopt;
+}
+
+/// Of an exam that was not begun here.
+std::optional<VoidReason> import_doubt(StoreContext& context, const UserRecord& user, bool proctor,
+                                       const AttemptResult& result) {
+    const bool believed = vouched(context, user, proctor);
+    if (result.exam.begin != 0 || result.order || (proctor && !believed))
+        return closed(QT_TRANSLATE_NOOP("Said", "it was not begun here, or is saved already"));
+    if (believed) return std::nullopt;
+    return closed(QT_TRANSLATE_NOOP("Said",
+                                    "it was not begun here, and neither a proctor nor an "
+                                    "administrator vouches for it"));
 }
 
 /// The client's clock decides on dates and on whether a skill is fresh, so it has to be right.
@@ -102,9 +123,8 @@ ExamCheck check_exam(StoreContext& context, const UserRecord& user, bool proctor
     const ExamBeginRecord* begin = begin_in(rows, result.exam);
     if (begin != nullptr)
         check.begin = begin->id;
-    else if (result.exam.begin != 0 || result.order ||
-             (own && (!proctor || context.connection.hides_passwords())))
-        add(check, closed(QT_TRANSLATE_NOOP("Said", "it was not begun here, or is saved already")));
+    else
+        add(check, import_doubt(context, user, proctor, result));
     if (check.doubts.empty()) add(check, closed_by_now(context, user, result, rows, begin, now));
     if (own || begin != nullptr) add(check, clock_doubt(result, begin, now));
     add(check, version_doubt(result, begin != nullptr

@@ -23,9 +23,9 @@ struct ExamCheck {
 };
 
 /// Within the transaction that saves it. Of practice only the time is looked at. An import has no
-/// begin: somebody else than the examined person vouches for it, who saves it or, in a file, is
-/// proctor.
-/// @param proctor the attempt has one who may be it. Throws StoreError.
+/// begin: a proctor vouches for it, or an administrator who saves it; never the examined person,
+/// nor a program alone.
+/// @param proctor the attempt has one who may be it, and is not examined. Throws StoreError.
 [[nodiscard]] ExamCheck check_exam(StoreContext& context, const UserRecord& user, bool proctor,
                                    const AttemptResult& result);
 

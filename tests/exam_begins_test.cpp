@@ -75,8 +75,9 @@ class ExamBegins : public EngineTest {
         replay_as_identical(*store, id);
         return store->attempts().detail(id).record;
     }
-    /// As an import does.
-    db::AttemptRecord take(const db::AttemptResult& result) const {
+    /// As an import does, with a proctor.
+    db::AttemptRecord take(db::AttemptResult result) const {
+        result.exam.proctor = "ewa";
         const int64_t id = save_recorded(*store, anna, result, folder.path().string());
         return store->attempts().detail(id).record;
     }
@@ -140,6 +141,31 @@ TEST_P(ExamBegins, WhatWasNotBegunIsNoExam) {
     made_up.exam.begin = 99;
     EXPECT_FALSE(db::counts(keep(made_up)));
     EXPECT_FALSE(progress().mastered);
+}
+
+TEST_P(ExamBegins, AnImportedExamNeedsTheWordOfSomebodyWhoIsNotExamined) {
+    const int64_t adam = add("adam", db::Role::kAdministrator);
+    // Whoever that is: a program, the account itself, an administrator.
+    const auto imported_by = [&](int64_t account) {
+        const auto at = open();
+        if (account != 0) at->act_for(account);
+        db::AttemptResult result = result_of(prepared(*store));
+        record_to(folder.file("import" + std::to_string(++files) + ".placode"), result);
+        const int64_t id = at->attempts().save(anna, result);
+        replay_as_identical(*store, id);
+        return store->attempts().detail(id).record;
+    };
+    for (const int64_t nobody : {int64_t{0}, anna}) {
+        const db::AttemptRecord kept = imported_by(nobody);
+        EXPECT_FALSE(db::counts(kept)) << nobody;
+        EXPECT_THAT(kept.void_reason,
+                    HasSubstr("neither a proctor nor an administrator vouches for it"));
+        EXPECT_FALSE(progress().mastered);
+        store->courses().grant_attempts({anna, "short", "final", 1, "for the test", {}, {}});
+    }
+    const db::AttemptRecord kept = imported_by(adam);
+    EXPECT_TRUE(db::counts(kept)) << kept.void_reason;
+    EXPECT_TRUE(progress().mastered);
 }
 
 TEST_P(ExamBegins, ABeginIsForItsPersonCaseAndStageOnly) {
@@ -322,13 +348,15 @@ TEST(ExamBeginsOfOldStores, AnOldStoreOpensAndItsExamsStayAsTheyWere) {
     auto store = db::open_store(url, options);
     const int64_t anna = store->accounts().create(
         {"anna", "Anna", "long enough 1", static_cast<db::Roles>(db::Role::kTrainee), false});
+    store->accounts().create(
+        {"ewa", "Dr Ewa", "long enough 1", static_cast<db::Roles>(db::Role::kEducator), false});
     publish_exam(*store, kTask, "7,8", R"("max_attempts":2,)");
     assign_exam(*store, anna);
     db::AttemptResult result;
     result.header.task_id = kTask;
     result.header.seed = 7;
     result.score.verdict = assessment::Verdict::kPassed;
-    result.exam = {"short", 1, "final", "", ""};
+    result.exam = {"short", 1, "final", "ewa", ""};
     (void)save_recorded(*store, anna, result, folder.path().string());
     store.reset();
     RawConnection pen("QSQLITE", folder.file("placode.db"));

@@ -150,6 +150,11 @@ TEST_F(TrainingPrograms, AnExamRecordingIsTakenOnlyWithItsSeed) {
          "benchmark_points":0,"exam":{"seeds":[5,6],"proctor":true}}]})");
     ASSERT_EQ(as("ewa", "course publish c.json").status, 0);
     ASSERT_EQ(as("ewa", "course assign mine --user anna").status, 0);
+    write_text(file("d.json"), R"({"id":"open","version":1,"title":{"en":"Open"},"stages":[
+        {"id":"final","task_id":"diathermy_ring_small","mode":"exam","consecutive":1,
+         "benchmark_points":0,"exam":{"seeds":[5],"proctor":false}}]})");
+    ASSERT_EQ(as("ewa", "course publish d.json").status, 0);
+    ASSERT_EQ(as("ewa", "course assign open --user anna").status, 0);
     for (const char* seed : {"4", "5"}) {
         const Outcome made =
             run("placode-sim", std::string("--task diathermy_ring_small --headless "
@@ -178,6 +183,9 @@ TEST_F(TrainingPrograms, AnExamRecordingIsTakenOnlyWithItsSeed) {
     EXPECT_THAT(ctl("import s5.placode --proctor ewa" + exam).err,
                 HasSubstr("PLACODE_PROCTOR_PASSWORD; it is missing"))
         << "nor does whoever owns the file";
+    EXPECT_THAT(ctl("import s5.placode --user anna --exam open/final").err,
+                HasSubstr("vouches for an exam"))
+        << "nor is the own word enough where the course asks for no proctor";
     EXPECT_THAT(proctored("import practice.placode", "long enough 1").err,
                 HasSubstr("it was recorded as practice"));
     EXPECT_THAT(proctored("import s5.placode", "a guess 12").err, HasSubstr("it is wrong"));

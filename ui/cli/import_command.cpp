@@ -40,10 +40,13 @@ struct ImportOptions {
 };
 
 /// Nobody names a proctor who knows nothing of it: that proctor's password is asked for, in
-/// PLACODE_PROCTOR_PASSWORD, also of whoever owns the store's file. A proctor who imports has
-/// signed in with it.
+/// PLACODE_PROCTOR_PASSWORD, also of whoever owns the store's file. Without one the exam would be
+/// the word of that owner or of the person examined, and void.
 std::string proctor_of(Session& session, int64_t user_id, const ImportOptions& options) {
-    if (options.proctor.empty()) return {};
+    if (options.proctor.empty())
+        throw InputError(
+            "--exam: somebody else than the person examined vouches for an exam: name the proctor "
+            "(--proctor LOGIN)");
     const db::UserRecord proctor = db::find_proctor(session.store(), options.proctor, user_id);
     if (session.user() && session.user()->id == proctor.id) return proctor.login;
     const char* const password = std::getenv("PLACODE_PROCTOR_PASSWORD");

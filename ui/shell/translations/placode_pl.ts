@@ -11148,6 +11148,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>it was not begun here, or is saved already</source>
         <translation>nie rozpoczęto go tutaj albo jest już zapisany</translation>
     </message>
+    <message>
+        <source>it was not begun here, and neither a proctor nor an administrator vouches for it</source>
+        <translation>nie rozpoczęto go tutaj i nie ręczy za niego ani osoba nadzorująca, ani administrator</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::Details</name>
