@@ -67,14 +67,11 @@ bool matters(const AttemptResult& result) noexcept {
 }
 
 std::vector<VoidReason> doubts_in_store(StoreContext& context, const UserRecord& user,
-                                        const std::optional<UserRecord>& proctor,
                                         const AttemptResult& result, const std::string& checksum) {
     std::vector<VoidReason> doubts;
     // A script that passes an exam passes it for nobody but an account that shows how it is done.
     if (!result.exam.course_id.empty() && result.header.demonstration && !user.demonstration)
         doubts.push_back({VoidCause::kScript, 0, 0, Said::as_is(result.header.device)});
-    if (!result.exam.proctor.empty() && (!proctor || proctor->id == user.id))
-        doubts.push_back({VoidCause::kProctor, 0, 0, {}});
     if (checksum.empty()) {
         // Nothing that could be simulated again.
         if (matters(result)) doubts.push_back({VoidCause::kNoRecording, 0, 0, {}});

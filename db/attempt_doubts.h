@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Why an attempt that is being saved proves nothing, as far as the store can tell: who signed its
-// recording, whether it is known already, what it was begun for, who was proctor.
+// recording, whether it is known already, what it was begun for.
 
 #include <optional>
 #include <string>
@@ -23,11 +23,9 @@ struct StoreContext;
 /// An exam, or an attempt of a study: it counts only with a recording that was simulated again.
 [[nodiscard]] bool matters(const AttemptResult& result) noexcept;
 
-/// Within the transaction that saves it. Throws StoreError.
-/// @param proctor the account that `result.exam.proctor` names, where it may be one.
+/// Within the transaction that saves it; of an exam as such: db/exam_check.h. Throws StoreError.
 /// @param checksum of the recording file; empty without one.
 [[nodiscard]] std::vector<VoidReason> doubts_in_store(StoreContext& context, const UserRecord& user,
-                                                      const std::optional<UserRecord>& proctor,
                                                       const AttemptResult& result,
                                                       const std::string& checksum);
 

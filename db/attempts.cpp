@@ -31,7 +31,7 @@ ReplayState replay_asked(const AttemptResult& result, const std::vector<VoidReas
 }
 
 int64_t insert_attempt(StoreContext& context, int64_t user_id, const AttemptResult& result,
-                       const HapticVerdict& haptics, const std::string& proctor, int64_t exam_begin,
+                       const HapticVerdict& haptics, const ExamCheck& exam,
                        const std::vector<VoidReason>& voids) {
     Connection& connection = context.connection;
     Statement insert(
@@ -53,10 +53,10 @@ int64_t insert_attempt(StoreContext& context, int64_t user_id, const AttemptResu
         std::to_string(result.end.final_hash), result.end.dropped, result.header.demonstration,
         result.score.points, static_cast<int>(result.score.verdict), result.score.rubric_id,
         result.score.rubric_version, result.metrics.version, assessment::kPreprocessingVersion,
-        result.exam.course_id, result.exam.course_version, result.exam.stage_id, proctor,
+        result.exam.course_id, result.exam.course_version, result.exam.stage_id, exam.proctor,
         result.exam.device_certificate, haptics.certificate, haptics.grade, void_text(voids),
         void_meaning(voids), static_cast<int>(replay_asked(result, voids)), result.study.study,
-        result.study.participant, exam_begin);
+        result.study.participant, exam.begin);
     return insert.returned_id();
 }
 
@@ -117,20 +117,11 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
     voids.insert(voids.end(), result.not_verified.begin(), result.not_verified.end());
     UnitOfWork work(connection_);
     const UserRecord user = context_.need_owner(user_id);
-    const std::optional<UserRecord> proctor =
-        result.exam.proctor.empty() ? std::nullopt : context_.find_staff(result.exam.proctor);
-    for (VoidReason& doubt : doubts_in_store(context_, user, proctor, result, checksum))
+    for (VoidReason& doubt : doubts_in_store(context_, user, result, checksum))
         voids.push_back(std::move(doubt));
-    const bool proctored = proctor && proctor->id != user_id;
-    ExamCheck exam = check_exam(context_, user, proctored, result);
+    ExamCheck exam = check_exam(context_, user, result);
     std::move(exam.doubts.begin(), exam.doubts.end(), std::back_inserter(voids));
-    // Under the account's number, which stays when the name is erased.
-    const std::string kept_proctor = proctor ? user_object(proctor->id)
-                                     : result.exam.proctor.empty()
-                                         ? std::string()
-                                         : context_.kept_name(result.exam.proctor);
-    const int64_t id =
-        insert_attempt(context_, user_id, result, haptics, kept_proctor, exam.begin, voids);
+    const int64_t id = insert_attempt(context_, user_id, result, haptics, exam, voids);
     context_.made("attempt", id);
     insert_lists(connection_, id, result);
     if (!result.recording_file.empty())

@@ -19,6 +19,23 @@ bool own_word(StoreContext& context, const UserRecord& user, const AttemptResult
     return result.order || context.is_self(user.id);
 }
 
+struct Proctor {
+    std::string kept;     ///< As the store keeps it; empty = none was named.
+    bool may_be = false;  ///< An educator or administrator who is not examined.
+};
+
+/// Of an exam that was begun here its begin says who: that account may be closed since.
+Proctor proctor_of(StoreContext& context, const UserRecord& user, const ExamContext& exam,
+                   const ExamBeginRecord* begin) {
+    if (begin != nullptr && !begin->proctor.empty())
+        return {begin->proctor, begin->proctor != user_object(user.id)};
+    if (exam.proctor.empty()) return {};
+    // Under the account's number, which stays when the name is erased.
+    if (const auto found = context.find_staff(exam.proctor))
+        return {user_object(found->id), found->id != user.id};
+    return {context.kept_name(exam.proctor), false};
+}
+
 /// Somebody else than the examined person says that it was an exam: a proctor, who signs in with
 /// the program, or an account that may save for others. Whoever has the file of a store, or a
 /// service's log-in, is nobody in particular.
@@ -109,8 +126,7 @@ void add(ExamCheck& check, const std::optional<VoidReason>& doubt) {
 
 }  // namespace
 
-ExamCheck check_exam(StoreContext& context, const UserRecord& user, bool proctor,
-                     const AttemptResult& result) {
+ExamCheck check_exam(StoreContext& context, const UserRecord& user, const AttemptResult& result) {
     ExamCheck check;
     const bool own = own_word(context, user, result);
     const std::string now = clock_of_store(context.connection);
@@ -121,11 +137,15 @@ ExamCheck check_exam(StoreContext& context, const UserRecord& user, bool proctor
     lock_exams(context.connection, user.id);
     const CourseRows rows = course_rows(context, user);
     const ExamBeginRecord* begin = begin_in(rows, result.exam);
-    if (begin != nullptr)
-        check.begin = begin->id;
-    else
-        add(check, import_doubt(context, user, proctor, result));
-    if (check.doubts.empty()) add(check, closed_by_now(context, user, result, rows, begin, now));
+    const Proctor proctor = proctor_of(context, user, result.exam, begin);
+    check.begin = begin != nullptr ? begin->id : 0;
+    check.proctor = proctor.kept;
+    if (!proctor.kept.empty() && !proctor.may_be)
+        check.doubts.push_back({VoidCause::kProctor, 0, 0, {}});
+    std::optional<VoidReason> shut;
+    if (begin == nullptr) shut = import_doubt(context, user, proctor.may_be, result);
+    if (!shut) shut = closed_by_now(context, user, result, rows, begin, now);
+    add(check, shut);
     if (own || begin != nullptr) add(check, clock_doubt(result, begin, now));
     add(check, version_doubt(result, begin != nullptr
                                          ? begin->task_version

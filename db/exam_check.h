@@ -6,6 +6,7 @@
 // transaction that saves it.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "db/records.h"
@@ -18,15 +19,15 @@ struct StoreContext;
 inline constexpr int64_t kClockAllowanceS = 300;
 
 struct ExamCheck {
-    int64_t begin = 0;  ///< The begin that the attempt ends; 0 = none.
+    int64_t begin = 0;    ///< The begin that the attempt ends; 0 = none.
+    std::string proctor;  ///< As the store keeps it, "user 12"; empty = none was named.
     std::vector<VoidReason> doubts;
 };
 
 /// Within the transaction that saves it. Of practice only the time is looked at. An import has no
 /// begin: a proctor vouches for it, or an administrator who saves it; never the examined person,
-/// nor a program alone.
-/// @param proctor the attempt has one who may be it, and is not examined. Throws StoreError.
-[[nodiscard]] ExamCheck check_exam(StoreContext& context, const UserRecord& user, bool proctor,
+/// nor a program alone. Throws StoreError.
+[[nodiscard]] ExamCheck check_exam(StoreContext& context, const UserRecord& user,
                                    const AttemptResult& result);
 
 }  // namespace placode::db

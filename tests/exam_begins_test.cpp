@@ -45,8 +45,8 @@ class ExamBegins : public EngineTest {
     [[nodiscard]] static std::string later(int64_t seconds) {
         return curriculum::utc_text(*curriculum::utc_seconds(db::utc_now()) + seconds);
     }
-    [[nodiscard]] db::ExamOrder prepared(db::Store& at) const {
-        return db::prepare_exam(at, anna, "short", "final", "", "", db::utc_now());
+    [[nodiscard]] db::ExamOrder prepared(db::Store& at, const std::string& proctor = {}) const {
+        return db::prepare_exam(at, anna, "short", "final", proctor, "", db::utc_now());
     }
     [[nodiscard]] db::ExamOrder begun() const {
         return db::begin_exam(*store, anna, prepared(*store));
@@ -166,6 +166,23 @@ TEST_P(ExamBegins, AnImportedExamNeedsTheWordOfSomebodyWhoIsNotExamined) {
     const db::AttemptRecord kept = imported_by(adam);
     EXPECT_TRUE(db::counts(kept)) << kept.void_reason;
     EXPECT_TRUE(progress().mastered);
+}
+
+TEST_P(ExamBegins, TheBeginProvesItsProctorWhoseAccountIsClosedSince) {
+    add("ola", db::Role::kEducator);
+    db::AttemptResult result = result_of(db::begin_exam(*store, anna, prepared(*store, "ewa")));
+    const auto ewa = store->accounts().find_staff("ewa");
+    ASSERT_TRUE(ewa);
+    store->accounts().set_active(ewa->id, false);
+    // Whom the order names makes no difference any more.
+    result.exam.proctor = "ola";
+    const db::AttemptRecord kept = keep(result);
+    EXPECT_EQ(kept.void_reason, "");
+    EXPECT_TRUE(db::counts(kept));
+    EXPECT_EQ(kept.exam.proctor, "Dr ewa");
+    // Of an import nothing else says so.
+    EXPECT_THAT(take(result_of(prepared(*store))).void_reason,
+                HasSubstr("the proctor is the person examined, or neither educator"));
 }
 
 TEST_P(ExamBegins, ABeginIsForItsPersonCaseAndStageOnly) {
