@@ -69,6 +69,20 @@ bool is_shipped(const DefinitionRecord& definition) {
     return curriculum::shipped_text(definition.kind + "s", definition.id) == definition.json;
 }
 
+/// An exam asks for the newest text of its task, and the simulator performs the one that the
+/// program was built with: another one would stop every exam of this task.
+void need_own_id(const Connection& connection, const DefinitionRecord& definition) {
+    if (definition.kind != "task") return;
+    const auto shipped = curriculum::shipped_task(definition.id);
+    if (!shipped || shipped->version > definition.version || shipped->json == definition.json)
+        return;
+    connection.fail(Kind::kRefused,
+                    Said::that("%1 is a task of Placode itself, which has version %2 of it; give "
+                               "your text an id of its own")
+                        .with(definition.id)
+                        .with(shipped->version));
+}
+
 Action action_of(const std::string& kind) {
     if (kind == "course") return Action::kManageCourses;
     const bool judges = kind == "rubric" || kind == "standard" || kind == "task";
@@ -112,14 +126,14 @@ void Definitions::publish(const DefinitionRecord& definition) {
     check_content(definition);
     UnitOfWork work(connection_);
     connection_.lock_table("definitions");
-    if (const auto there =
-            context_.find_definition(definition.kind, definition.id, definition.version)) {
-        if (there->json == definition.json) return;
+    const auto there = context_.find_definition(definition.kind, definition.id, definition.version);
+    if (there && there->json == definition.json) return;
+    need_own_id(connection_, definition);
+    if (there)
         connection_.fail(Kind::kConflict,
                          Said::that("%1 is published with another text, which is never changed; "
                                     "give your text the next version")
                              .with(name));
-    }
     const auto newest = context_.find_definition(definition.kind, definition.id, 0);
     if (newest && newest->version > definition.version)
         connection_.fail(

@@ -21,7 +21,8 @@ class Definitions {
     explicit Definitions(StoreContext& context);
 
     /// Publishes a version for good. The same text again is no change; another text under a
-    /// version that is there throws kConflict, a version above 1 without a reason kRefused.
+    /// version that is there throws kConflict, a version above 1 without a reason kRefused, and so
+    /// does another text of a task that the program was built with.
     void publish(const DefinitionRecord& definition);
     /// All versions of one kind, by id and version.
     [[nodiscard]] std::vector<DefinitionRecord> list(const std::string& kind);

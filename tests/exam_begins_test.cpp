@@ -13,6 +13,7 @@
 #include "curriculum/utc_time.h"
 #include "db/attempt_counting.h"
 #include "db/course_conduct.h"
+#include "db/evidence.h"
 #include "db/recording_order.h"
 #include "db/sql_connection.h"
 #include "tests/exam_course.h"
@@ -283,17 +284,40 @@ TEST_P(ExamBegins, AnOlderVersionOfTheTaskIsNoExam) {
     EXPECT_FALSE(db::counts(kept));
     EXPECT_THAT(kept.void_reason, HasSubstr("the exam asked for another version than "));
     const db::ExamOrder order = prepared(*store);
-    ++task.version;
-    task.reason = "an amendment";
-    auto json = nlohmann::json::parse(task.json);
-    json["version"] = task.version;
-    task.json = json.dump();
-    store->definitions().publish(task);
+    // A newer Placode published its text.
+    ASSERT_TRUE(raw().run(
+        "INSERT INTO definitions (kind, id, version, content, checksum, reason, published_by, "
+        "published_utc) SELECT kind, id, version + 1, content, checksum, 'newer', published_by, "
+        "published_utc FROM definitions WHERE kind = 'task'"));
     EXPECT_THAT(failure_of([&] { (void)db::begin_exam(*store, anna, order); }).what(),
                 HasSubstr("update Placode"))
         << "the simulator here would perform the older one";
     EXPECT_THAT(take(result_of(order)).void_reason,
                 HasSubstr("the exam asked for another version than touch_targets version 1"));
+}
+
+TEST_P(ExamBegins, AnotherTextOfATaskOfPlacodeIsNotPublished) {
+    const auto shipped = curriculum::shipped_task(kTask);
+    const auto publish = [&](const std::string& id, int version, const std::string& goal) {
+        auto json = nlohmann::json::parse(shipped->json);
+        json["id"] = id;
+        json["version"] = version;
+        json["title"]["en"] = goal;
+        store->definitions().publish(
+            {"task", id, version, json.dump(), {}, "the centre's", {}, {}});
+    };
+    for (const int version : {shipped->version, shipped->version + 1}) {
+        const StoreError refused = failure_of([&] { publish(kTask, version, "Ours"); });
+        EXPECT_EQ(refused.kind(), StoreError::Kind::kRefused);
+        EXPECT_THAT(refused.what(),
+                    HasSubstr("touch_targets is a task of Placode itself, which has version " +
+                              std::to_string(shipped->version) + " of it; give your text an id"));
+    }
+    publish("our_targets", shipped->version + 1, "Ours");
+    // The program's own text is kept at its first use, and exams begin.
+    db::publish_task_on_first_use(*store, kTask, shipped->version);
+    EXPECT_TRUE(store->definitions().find("task", kTask));
+    EXPECT_GT(begun().context.begin, 0);
 }
 
 TEST_P(ExamBegins, ACertificateNeedsTheMasteryThatTheRowsShow) {

@@ -234,7 +234,7 @@ inline std::vector<Method> methods_of_definitions() {
         {"definitions.publish",
          sets,
          {},
-         publish(definition("task", task.id, 99, changed(task.json, 99)))},
+         publish(definition("task", "own_targets", 99, changed(task.json, 99, "own_targets")))},
         {"definitions.publish",
          runs,
          {},

@@ -31,10 +31,11 @@ struct Belongings {
     std::string login;
 };
 
-/// A shipped text under another version: somebody has changed it.
-inline std::string changed(const std::string& json, int version) {
+/// A shipped text under another version: somebody has changed it. @param id of its own, if any.
+inline std::string changed(const std::string& json, int version, const char* id = nullptr) {
     QJsonObject object = QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
     object["version"] = version;
+    if (id != nullptr) object["id"] = id;
     return QJsonDocument(object).toJson().toStdString();
 }
 

@@ -10597,6 +10597,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>%1 jest opublikowane z innym tekstem, którego się nie zmienia; nadaj swojemu tekstowi następną wersję</translation>
     </message>
     <message>
+        <source>%1 is a task of Placode itself, which has version %2 of it; give your text an id of its own</source>
+        <translation>%1 to zadanie samego Placode, który ma je w wersji %2; nadaj swojemu tekstowi własny identyfikator</translation>
+    </message>
+    <message>
         <source>version %1 is published already; give your text a higher version</source>
         <translation>wersja %1 jest już opublikowana; nadaj swojemu tekstowi wyższą wersję</translation>
     </message>
