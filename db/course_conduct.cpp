@@ -3,7 +3,7 @@
 #include "db/course_conduct.h"
 
 #include <algorithm>
-#include <iterator>
+#include <map>
 #include <set>
 
 #include "curriculum/shipped_definitions.h"
@@ -119,10 +119,11 @@ curriculum::AttemptOutcome unfinished(const ExamBeginRecord& begin) {
 
 std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRecord>& attempts,
                                                     const std::vector<ExamBeginRecord>& begins) {
-    std::vector<curriculum::AttemptOutcome> outcomes, left;
+    std::vector<curriculum::AttemptOutcome> outcomes;
+    outcomes.reserve(attempts.size() + begins.size());
+    std::map<int64_t, std::string> begun_utc;  // by attempt
     for (const ExamBeginRecord& begin : begins)
-        if (begin.attempt_id == 0) left.push_back(unfinished(begin));
-    outcomes.reserve(attempts.size());
+        if (begin.attempt_id != 0) begun_utc[begin.attempt_id] = begin.begun_utc;
     for (const AttemptRecord& attempt : attempts) {
         curriculum::AttemptOutcome outcome;
         outcome.task_id = attempt.task_id;
@@ -130,7 +131,9 @@ std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRec
         outcome.critical = attempt.verdict == assessment::Verdict::kFailed;
         outcome.not_attempted = attempt.verdict == assessment::Verdict::kNotAttempted;
         outcome.interrupted = attempt.end == sim::EndReason::kInterrupted;
-        outcome.at_utc = attempt.started_utc;
+        // The station's clock may be minutes off; begins are all by the store's.
+        const auto begun = begun_utc.find(attempt.id);
+        outcome.at_utc = begun != begun_utc.end() ? begun->second : attempt.started_utc;
         outcome.seed = attempt.seed;
         outcome.exam_course = attempt.exam.course_id;
         outcome.exam_stage = attempt.exam.stage_id;
@@ -143,11 +146,12 @@ std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRec
         outcome.interrupted = outcome.interrupted || unproven;
         outcomes.push_back(std::move(outcome));
     }
-    if (left.empty()) return outcomes;
-    std::vector<curriculum::AttemptOutcome> all;
-    std::merge(outcomes.begin(), outcomes.end(), left.begin(), left.end(), std::back_inserter(all),
-               [](const auto& a, const auto& b) { return a.at_utc < b.at_utc; });
-    return all;
+    if (begins.empty()) return outcomes;
+    for (const ExamBeginRecord& begin : begins)
+        if (begin.attempt_id == 0) outcomes.push_back(unfinished(begin));
+    std::stable_sort(outcomes.begin(), outcomes.end(),
+                     [](const auto& a, const auto& b) { return a.at_utc < b.at_utc; });
+    return outcomes;
 }
 
 CourseStanding course_standing(Store& store, int64_t user_id, const std::string& course_id,

@@ -30,8 +30,8 @@ void publish_course_on_first_use(Store& store, const curriculum::Course& course)
 [[nodiscard]] std::map<std::string, curriculum::LocalText> task_titles(
     const curriculum::Course& course);
 
-/// As far as courses care, in the same order. @param begins oldest first; those that were not
-/// finished are used up, and stand among the attempts by their time.
+/// As far as courses care, oldest first. An exam that was begun stands at the time of its begin.
+/// @param attempts, begins oldest first; begins that were not finished are used up.
 [[nodiscard]] std::vector<curriculum::AttemptOutcome> outcomes_of(
     const std::vector<AttemptRecord>& attempts, const std::vector<ExamBeginRecord>& begins = {});
 
