@@ -134,6 +134,15 @@ void publish_task_on_first_use(Store& store, const std::string& id, int version)
     }
 }
 
+std::string build_waited_for(const AttemptRecord& record) {
+    if (record.build == curriculum::this_build()) return {};
+    constexpr size_t kMost = 80;
+    std::string shown = record.build.substr(0, kMost);
+    std::replace_if(
+        shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return shown;
+}
+
 namespace {
 
 /// Why the store's word for an attempt is not that of its recording; no verdict: it cannot be told

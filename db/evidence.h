@@ -46,6 +46,11 @@ struct TaskEvidence {
 /// and old recordings still have a task to be judged by. Does nothing for any other.
 void publish_task_on_first_use(Store& store, const std::string& id, int version);
 
+/// The build and instruction set that alone can simulate the attempt again, "placode 0.1.0 AVX2";
+/// empty: this one can, or the recording does not say. Without what a terminal would obey: whoever
+/// writes a recording chooses the text.
+[[nodiscard]] std::string build_waited_for(const AttemptRecord& record);
+
 /// Told the share that is done, 0..1; false stops.
 using ReplayProgress = std::function<bool(double share)>;
 /// Simulates a stored attempt again, compares what the store says of it with what the recording

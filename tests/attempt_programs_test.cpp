@@ -12,9 +12,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "curriculum/shipped_definitions.h"
 #include "db/recording_file.h"
 #include "db/store.h"
 #include "tests/programs_fixture.h"
+#include "tests/recorded_attempt.h"
 
 using namespace placode;
 using namespace placode::test;
@@ -238,6 +240,24 @@ TEST_F(Programs, ARecordingBecomesAnAttemptOfAPerson) {
     EXPECT_THAT(ctl("verify").out, HasSubstr("no attempt waits"));
     EXPECT_THAT(ctl("verify --all").out, HasSubstr("1 attempt gave the same, 0 attempts differ"));
     EXPECT_THAT(ctl("verify --all").out, HasSubstr("no attempt waits"));
+}
+
+TEST_F(Programs, WhatAnotherBuildRecordedSaysWhichOneItWaitsFor) {
+    ::setenv("PLACODE_STATION_KEY", file("station.key").c_str(), 1);  // of all programs here
+    add_user("anna", "trainee");
+    db::AttemptResult result;
+    result.header.task_id = "diathermy_ring_small";
+    result.header.task_version = curriculum::shipped_task("diathermy_ring_small")->version;
+    result.header.build = "placode 0.0\x1b[2J of another kind";
+    result.end.reason = sim::EndReason::kFinished;
+    const auto direct = db::open_store("sqlite:" + store);
+    (void)save_recorded(*direct, 1, result, folder);
+    const Outcome left = ctl("verify --all");
+    EXPECT_THAT(left.out, HasSubstr("waits for placode 0.0?[2J of another kind; this is placode "));
+    EXPECT_THAT(left.out, HasSubstr("1 could not be simulated again"));
+    EXPECT_THAT(ctl("--json verify --all").out,
+                HasSubstr("\"waits_for\": \"placode 0.0?[2J of another kind\""));
+    ::unsetenv("PLACODE_STATION_KEY");
 }
 
 TEST_F(Programs, PicturesOfAnAttemptAreTimedAtEveryQuality) {

@@ -444,6 +444,8 @@ void ShellHintsTest::whatCannotBeReplayedHereSaysSo() {
     QVERIFY(shell_->arrives(PageId::kResult));
     const QString why = shell_->text("void_for_cause");
     QVERIFY2(why.contains("another version of Placode"), qPrintable(why));
+    QVERIFY2(why.contains("It waits for \"placode 0.0 of another kind\"; this is \"placode "),
+             qPrintable(why));
     QVERIFY(shell_->window().findChild<QWidget*>("replay_progress") == nullptr);
     shell_->whole("36_result_of_another_build");
     shell_->context().signOut();

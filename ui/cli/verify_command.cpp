@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "curriculum/attempt_runner.h"
 #include "sim/core/counted.h"
 #include "ui/cli/cli.h"
 #include "ui/cli/progress.h"
@@ -47,6 +48,14 @@ struct Verified {
     int identical = 0, differ = 0, left = 0;
 };
 
+/// Why nothing came out. @param build that alone could tell; empty = none is known.
+std::string why_left(const std::string& build) {
+    if (CancelOn::requested()) return "stopped";
+    if (!build.empty()) return "waits for " + build + "; this is " + curriculum::this_build();
+    return "scored by another build, of a task that is unknown here, or of whom your account may "
+           "not say it on the server";
+}
+
 /// @param brief the table leaves out what is as it should be.
 Verified verify_all(Session& session, const std::vector<ToVerify>& all, bool brief) {
     Verified done;
@@ -58,17 +67,16 @@ Verified verify_all(Session& session, const std::vector<ToVerify>& all, bool bri
         const char* const state = db::replay_name(!verdict             ? all[i].state
                                                   : verdict->identical ? db::ReplayState::kIdentical
                                                                        : db::ReplayState::kDiffers);
-        const std::string difference = verdict ? verdict->difference.english()
-                                       : CancelOn::requested()
-                                           ? "stopped"
-                                           : "recorded or scored by another build or processor, of "
-                                             "a task that is unknown here, "
-                                             "or of whom your account may not say it on the server";
+        const std::string build =
+            verdict ? std::string()
+                    : db::build_waited_for(session.store().attempts().detail(all[i].id).record);
+        const std::string difference = verdict ? verdict->difference.english() : why_left(build);
         done.identical += verdict && verdict->identical ? 1 : 0;
         done.differ += verdict && !verdict->identical ? 1 : 0;
         done.left += verdict ? 0 : 1;
         done.attempts.push_back(
             {{"attempt", all[i].id}, {"replay", state}, {"difference", difference}});
+        if (!build.empty()) done.attempts.back()["waits_for"] = build;
         if (!brief || !verdict || !verdict->identical)
             done.rows.push_back({std::to_string(all[i].id), state, difference});
     }

@@ -8,6 +8,7 @@
 
 #include "db/attempt_counting.h"
 #include "reports/words.h"
+#include "ui/shell/result_standing.h"
 #include "ui/shell/table_width.h"
 #include "ui/shell/training.h"
 
@@ -126,7 +127,7 @@ struct Uncounted {
 };
 
 Uncounted uncounted_of(const std::vector<db::AttemptRecord>& attempts) {
-    int slow = 0, broken_off = 0, idle = 0, tuned = 0, doubted = 0, waiting = 0;
+    int slow = 0, broken_off = 0, idle = 0, tuned = 0, doubted = 0, waiting = 0, elsewhere = 0;
     for (const db::AttemptRecord& each : attempts) {
         // What the person did comes first, as on the result.
         if (each.end == sim::EndReason::kInterrupted)
@@ -140,7 +141,7 @@ Uncounted uncounted_of(const std::vector<db::AttemptRecord>& attempts) {
         else if (!each.void_reason.empty())
             ++tuned;
         else if (each.replay == db::ReplayState::kWaiting)
-            ++waiting;
+            ++(can_be_replayed_here(each) ? waiting : elsewhere);
     }
     Uncounted found;
     QStringList &why = found.why, &what = found.what;
@@ -168,6 +169,11 @@ Uncounted uncounted_of(const std::vector<db::AttemptRecord>& attempts) {
     if (waiting > 0) {
         why << AttemptsTable::tr("still to be simulated again: %1").arg(waiting);
         what << AttemptsTable::tr("Placode simulates them by itself: come back later.");
+    }
+    if (elsewhere > 0) {
+        why << AttemptsTable::tr("waiting for another version of Placode or processor: %1")
+                   .arg(elsewhere);
+        what << AttemptsTable::tr("The result of each says which one it waits for.");
     }
     return found;
 }

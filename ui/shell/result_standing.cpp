@@ -10,6 +10,7 @@
 
 #include "curriculum/attempt_runner.h"
 #include "db/attempt_counting.h"
+#include "db/evidence.h"
 #include "db/void_reason.h"
 #include "reports/words.h"
 #include "ui/shell/day_text.h"
@@ -37,10 +38,15 @@ bool can_be_replayed_here(const db::AttemptRecord& record) {
 QString why_not_counted(const db::AttemptRecord& record, const ExamStanding& standing, bool own) {
     QStringList said;
     const bool exam = !record.exam.course_id.empty();
-    if (waits_for_replay(record) && !can_be_replayed_here(record))
-        return StandingText::tr(
+    if (waits_for_replay(record) && !can_be_replayed_here(record)) {
+        said << StandingText::tr(
             "It was recorded by another version of Placode, or on another kind of processor, and "
             "can be simulated again only there. Until that is done it does not count.");
+        if (const std::string build = db::build_waited_for(record); !build.empty())
+            said << StandingText::tr("It waits for \"%1\"; this is \"%2\".")
+                        .arg(qstr(build), qstr(curriculum::this_build()));
+        return said.join(' ');
+    }
     if (waits_for_replay(record))
         return StandingText::tr(
             "What the hands did is simulated again, behind other work. The attempt gets "

@@ -622,6 +622,14 @@
         <translation>Placode symuluje je samodzielnie: wróć tu później.</translation>
     </message>
     <message>
+        <source>waiting for another version of Placode or processor: %1</source>
+        <translation>czekające na inną wersję Placode lub inny procesor: %1</translation>
+    </message>
+    <message>
+        <source>The result of each says which one it waits for.</source>
+        <translation>Wynik każdej mówi, na którą czeka.</translation>
+    </message>
+    <message>
         <source>Kind</source>
         <translation>Rodzaj</translation>
     </message>
@@ -5191,6 +5199,10 @@
     <message>
         <source>It was recorded by another version of Placode, or on another kind of processor, and can be simulated again only there. Until that is done it does not count.</source>
         <translation>Nagrano ją inną wersją Placode lub na procesorze innego rodzaju i tylko tam można ją symulować ponownie. Do tego czasu się nie liczy.</translation>
+    </message>
+    <message>
+        <source>It waits for &quot;%1&quot;; this is &quot;%2&quot;.</source>
+        <translation>Czeka na „%1”; to jest „%2”.</translation>
     </message>
 </context>
 <context>
