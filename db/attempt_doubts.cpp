@@ -41,8 +41,7 @@ bool needs_signature(bool demonstration, sim::EndReason end, bool matters) {
 std::string unknown_signer(StoreContext& context, const std::string& recording_file) {
     const RecordingSeal seal = recording_seal(recording_file);
     if (seal.signature != RecordingSignature::kRight) return kNobody;
-    (void)context.station.public_key();  // Of a file's first computer: made where there is none.
-    return trusted_stations(context).contains(seal.station) ? "" : fingerprint(seal.station);
+    return is_trusted_station(context, seal.station) ? "" : fingerprint(seal.station);
 }
 
 /// The recording says itself that it was made as an exam or for a study, whatever is said later.

@@ -280,6 +280,11 @@ std::set<std::string> trusted_stations(StoreContext& context) {
     return with_whom_they_trust(context, std::move(trusted));
 }
 
+bool is_trusted_station(StoreContext& context, const std::string& key) {
+    (void)context.station.public_key();
+    return trusted_stations(context).contains(key);
+}
+
 std::string entry_to_set_aside(StoreContext& context, int64_t entry) {
     const auto found = entries_of(context.connection, "WHERE id = ?", {QVariant(qlonglong{entry})});
     if (found.empty() || is_proved(found.front(), chain_before(context.connection, found.front())))

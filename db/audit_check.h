@@ -21,6 +21,10 @@ struct StoreContext;
 /// is proved by chain and signature.
 [[nodiscard]] std::set<std::string> trusted_stations(StoreContext& context);
 
+/// Whether the station of this key is one of them, so that what it recorded counts. A file's first
+/// computer, which has no key yet, gets its own on the way.
+[[nodiscard]] bool is_trusted_station(StoreContext& context, const std::string& key);
+
 /// Checksum of an entry that does not fit the trail; empty for one that does, or is not there.
 [[nodiscard]] std::string entry_to_set_aside(StoreContext& context, int64_t entry);
 

@@ -50,8 +50,7 @@ void need_sound_station(StoreContext& context, const std::string& now_utc) {
         context.connection.fail(Kind::kRefused,
                                 Said::that("the clocks of this computer and of the server differ; "
                                            "an administrator sets them"));
-    const std::string key = context.station.public_key();  // Of a file's first computer: made.
-    if (!trusted_stations(context).contains(key))
+    if (!is_trusted_station(context, context.station.public_key()))
         context.connection.fail(
             Kind::kRefused,
             Said::that("nobody has vouched for this computer, so an exam would not count; an "
