@@ -13,9 +13,11 @@ install(FILES packaging/org.placode.Placode.metainfo.xml DESTINATION ${CMAKE_INS
 install(FILES ui/shell/icons/placode.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 install(FILES packaging/completion.bash RENAME placodectl
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(PROGRAMS packaging/scheduled-backup packaging/shared-station DESTINATION lib/placode)
+install(PROGRAMS packaging/scheduled-backup packaging/scheduled-verify packaging/shared-station
+        DESTINATION lib/placode)
 install(FILES packaging/placode-backup.service packaging/placode-backup.timer DESTINATION lib/systemd/user)
 install(FILES packaging/placode-server-backup.service packaging/placode-server-backup.timer
+              packaging/placode-server-verify.service packaging/placode-server-verify.timer
         DESTINATION lib/systemd/system)
 install(PROGRAMS examples/check_seal.py DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode/examples)
 install(FILES README.md CHANGELOG.md docs/web.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode)

@@ -111,10 +111,14 @@ TEST_F(Install, TheDesktopFindsItsFiles) {
           "share/doc/placode/examples/check_seal.py", "lib/systemd/user/placode-backup.timer",
           "lib/systemd/user/placode-backup.service",
           "lib/systemd/system/placode-server-backup.timer",
-          "lib/systemd/system/placode-server-backup.service"})
+          "lib/systemd/system/placode-server-backup.service",
+          "lib/systemd/system/placode-server-verify.timer",
+          "lib/systemd/system/placode-server-verify.service"})
         EXPECT_TRUE(fs::exists(there(path))) << path;
     EXPECT_THAT(read_text(there("lib/systemd/user/placode-backup.service")),
                 HasSubstr("ExecStart=/usr/lib/placode/scheduled-backup"));
+    EXPECT_THAT(read_text(there("lib/systemd/system/placode-server-verify.service")),
+                HasSubstr("ExecStart=/usr/lib/placode/scheduled-verify"));
     const Outcome help = shell("'" + there("lib/placode/shared-station") + "' --help");
     EXPECT_EQ(help.status, 0) << help.err;
     EXPECT_THAT(help.out, HasSubstr("sudo /usr/lib/placode/shared-station LOGIN"));
@@ -164,6 +168,46 @@ TEST_F(Install, TheDailyBackupIsCheckedAndOldOnesGo) {
     EXPECT_NE(backup("PLACODE_BACKUPS_KEPT=1").status, 0);
     for (const std::string& name : kept)
         EXPECT_TRUE(fs::exists(file("data/placode/backups/" + name))) << name;
+}
+
+TEST_F(Install, AttemptsAreSimulatedAgainAtNight) {
+    const std::string store = "sqlite:" + file("placode.db");
+    const auto ctl = [&](const std::string& words) {
+        const Outcome done = run("placodectl", "--store " + store + " " + words,
+                                 "PLACODE_NEW_PASSWORD='long enough 1'");
+        ASSERT_EQ(done.status, 0) << done.err;
+    };
+    ctl("user add ada --role administrator");
+    ctl("user add night --role educator");
+    ctl("user add anna --role trainee");
+    ASSERT_EQ(run("placode-sim",
+                  "--task touch_targets --device script:expert --headless --fast "
+                  "--duration 0.3 --record '" +
+                      file("a.placode") + "'")
+                  .status,
+              0);
+    ctl("import --user anna '" + file("a.placode") + "'");
+    const auto night = [&](const std::string& environment) {
+        return shell("'" + there("lib/placode/scheduled-verify") + "'",
+                     "PATH='" + there("bin") + "':\"$PATH\" PLACODE_STORE='" + store +
+                         "' PLACODE_AS=night " + environment);
+    };
+    const std::string credential = "CREDENTIALS_DIRECTORY='" + file("credentials") + "'";
+    const Outcome without = night(credential);
+    EXPECT_NE(without.status, 0);
+    EXPECT_THAT(without.err, HasSubstr("credentials/password"));
+    fs::create_directories(file("credentials"));
+    write_text(file("credentials/password"), "another one\n");
+    EXPECT_NE(night(credential).status, 0) << "a night in which nothing was done is a failure";
+    write_text(file("credentials/password"), "long enough 1\n");
+    // What does not fit into the night is not.
+    const Outcome short_night = night(credential + " PLACODE_VERIFY_TIME=0.01");
+    EXPECT_EQ(short_night.status, 0) << short_night.err;
+    EXPECT_THAT(short_night.out, HasSubstr("the next night"));
+    const Outcome done = night(credential);
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_THAT(done.out, HasSubstr("1 attempt gave the same"));
+    EXPECT_THAT(night(credential).out, HasSubstr("no attempt waits"));
 }
 
 }  // namespace THIS_TEST

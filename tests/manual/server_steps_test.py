@@ -22,17 +22,18 @@ from terminal import type_at_terminal
 
 SOURCE = Path(__file__).resolve().parents[2]
 BIN = Path(os.environ["PLACODE_BIN_DIR"])
-OWNER, STATION, ADA = (secrets.token_hex(8) for _ in range(3))
+OWNER, STATION, ADA, NIGHT_JOB = (secrets.token_hex(8) for _ in range(4))
 # What is asked, and what is typed then.
 ANSWERS = [
     ("Password for postgresql://placode_owner", OWNER),
     ("Password of ada", ADA),
+    ("New password of night", NIGHT_JOB),
 ]
-SERVER, ENCRYPT, TABLES, STATIONS, SHARED, MOVE, BACK, COPY = range(8)
+SERVER, ENCRYPT, TABLES, STATIONS, SHARED, MOVE, BACK, COPY, NIGHT = range(9)
 
 
 def commands_of(language):
-    """The commands of each section of the page, in its order; sections are SERVER to COPY."""
+    """The commands of each section of the page, in its order; sections are SERVER to NIGHT."""
     text = (SOURCE / "docs/manual" / language / "admin-server.md").read_text()
     return [re.findall(r"^ {4,}(\S.*)$", part, re.M) for part in re.split(r"^## ", text, flags=re.M)[1:]]
 
@@ -72,6 +73,7 @@ class ServerSteps(unittest.TestCase):
             ("/etc/postgresql/15/main", str(self.server.data)),
             ("/var/lib/postgresql", str(self.server.folder)),
             ("/home/ada", str(self.home)),
+            ("/etc/placode", str(self.home / "etc")),
         ]:
             command = command.replace(written, ours)
         return command
@@ -88,7 +90,7 @@ class ServerSteps(unittest.TestCase):
             with self.subTest(command=command):
                 status, text = self.type(command)
                 self.assertEqual(status, 0, text)
-                for password in (OWNER, STATION, ADA):
+                for password in (OWNER, STATION, ADA, NIGHT_JOB):
                     self.assertNotIn(password, text)
                 said += text
         return said
@@ -111,11 +113,12 @@ class ServerSteps(unittest.TestCase):
         self.only_the_right_ones_come_in()
         self.a_station_cannot_change_scores()
         self.copy_and_get_it_back()
+        self.simulate_at_night()
         self.move_back()
 
     def test_both_languages_have_the_same_commands(self):
         self.assertEqual(commands_of("pl"), self.pages)
-        self.assertEqual([len(section) > 0 for section in self.pages], [True] * 8)
+        self.assertEqual([len(section) > 0 for section in self.pages], [True] * 9)
 
     def prepare_the_file(self):
         """The store that will move: an administrator and an attempt."""
@@ -219,6 +222,21 @@ class ServerSteps(unittest.TestCase):
         self.assertEqual(self.contents("--store postgresql://theatre_1@db.example.org:5432/placode --as ada "),
                          whole)
         self.a_station_cannot_change_scores()
+
+    def simulate_at_night(self):
+        """The account, the file of its password, and what the timer starts, as its unit says."""
+        self.do(self.pages[NIGHT])
+        password = self.home / "etc" / "night.password"
+        self.assertEqual(password.stat().st_mode & 0o777, 0o600)
+        password.write_text(NIGHT_JOB + "\n")
+        unit = (SOURCE / "packaging/placode-server-verify.service").read_text()
+        self.assertIn("\nLoadCredential=password:/etc/placode/night.password\n", unit)
+        self.assertIn("\nEnvironment=PLACODE_AS=night\n", unit)
+        status, text = self.type(
+            f"sh {SOURCE}/packaging/scheduled-verify", PLACODE_AS="night", PLACODE_PASSWORD_FILE=str(password),
+            PLACODE_STORE=self.here("postgresql://theatre_1@db.example.org:5432/placode"))
+        self.assertEqual(status, 0, text)
+        self.assertIn("1 attempt gave the same", text)
 
     def move_back(self):
         self.do(self.pages[BACK])
