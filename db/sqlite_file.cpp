@@ -121,9 +121,13 @@ int64_t pragma(Connection& connection, const std::string& name) {
 
 }  // namespace
 
+void prepare_sqlite_folder(const std::string& path, const std::string& operation) {
+    create_folders(fs::path(path).parent_path(), operation, path);
+}
+
 void prepare_sqlite_file(const std::string& path, const std::string& operation) {
     if (path == ":memory:") return;
-    create_folders(fs::path(path).parent_path(), operation, path);
+    prepare_sqlite_folder(path, operation);
     if (fs::is_directory(path)) fail(Kind::kUnavailable, operation, path, "this is a folder");
     const int file = ::open(path.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0600);
     if (file >= 0) {

@@ -12,6 +12,9 @@ namespace placode::db {
 /// "PLCD" in the file's header says that it is a Placode store.
 inline constexpr int kStoreApplicationId = 0x504c4344;
 
+/// Creates the folder of `path` (0700), and those above it, when missing. Throws StoreError.
+void prepare_sqlite_folder(const std::string& path, const std::string& operation);
+
 /// Before opening: creates folder (0700) and file (0600) when missing; throws StoreError(kDamaged)
 /// without touching a file that is no SQLite database or is shorter than it says.
 void prepare_sqlite_file(const std::string& path, const std::string& operation);

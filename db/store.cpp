@@ -13,6 +13,7 @@
 
 #include "db/durable_file.h"
 #include "db/foreign_store.h"
+#include "db/new_store.h"
 #include "db/password.h"
 #include "db/schema.h"
 #include "db/server_dump.h"
@@ -285,6 +286,9 @@ std::unique_ptr<Store> open_store(const std::string& url, const StoreOptions& op
             std::filesystem::remove(mark_of_store(parsed.path));
         else
             need_known_store(parsed.path, options.known, "open");
+        make_store_file(parsed,
+                        options.migrations.empty() ? embedded_migrations() : options.migrations,
+                        "open");
         prepare_sqlite_file(parsed.path, "open");
     }
     auto context = std::make_unique<StoreContext>(parsed, options);

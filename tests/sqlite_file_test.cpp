@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include "tests/store_fixture.h"
+#include "tests/whole_store.h"
 
 using namespace placode;
 using namespace placode::test;
@@ -124,6 +124,27 @@ TEST_F(SqliteFile, AFileCutShortIsFoundAtOnce) {
     expect_refused(StoreError::Kind::kDamaged, "cut short");
     write_text(path, whole.substr(0, 50));
     expect_refused(StoreError::Kind::kDamaged, "not a database");
+}
+
+TEST_F(SqliteFile, AStoreThatCouldNotBeMadeIsBegunAgain) {
+    // As a disk without room: the tables of the first file fit, those of the next do not.
+    db::StoreOptions broken = options;
+    broken.migrations = db::embedded_migrations();
+    broken.migrations.resize(2);
+    broken.migrations[1].text = "CREATE TABLE half (id INTEGER); CREATE TABLE half (id INTEGER);";
+    (void)failure_of([&] { (void)db::open_store("sqlite:" + path, broken); });
+    EXPECT_THAT(files_with(folder.path(), "placode.db"), IsEmpty());
+    // What a kill has left on the way was nobody's store.
+    write_text(path + ".making", "SQLite format 3");
+    write_text(path + ".making-journal", "half of it");
+    fill(1);
+    EXPECT_EQ(open()->accounts().list().size(), 1u);
+    EXPECT_THAT(files_with(folder.path(), ".making"), IsEmpty());
+    // A file that is there is never taken for one: it may hold what somebody wrote.
+    const std::string whole = read_text(path);
+    write_text(path, whole.substr(0, whole.size() / 2));
+    expect_refused(StoreError::Kind::kDamaged, "cut short");
+    EXPECT_EQ(read_text(path).size(), whole.size() / 2);
 }
 
 TEST_F(SqliteFile, OverwrittenPagesAreFoundByCheckOrOnOpening) {
