@@ -30,6 +30,8 @@ namespace placode::ui {
 class ShellHarness {
  public:
     ShellHarness() { start(); }
+    /// On a server's store.
+    explicit ShellHarness(const std::string& address) : server(address) { start(); }
 
     /// Starts the shell anew on the same store, as after a restart of the machine; or on another
     /// one of the folder.
@@ -38,7 +40,9 @@ class ShellHarness {
         stop();
         ShellOptions options;
         // A lock is reported after 0.3 s instead of 5 s.
-        if (!without_store)
+        if (!server.empty())
+            options.store_url = server;
+        else if (!without_store)
             options.store_url = "sqlite:" + path(file_).toStdString() + "?timeout_ms=300";
         options.language = "en";
         options.theme = "light";
@@ -282,6 +286,7 @@ class ShellHarness {
     QString simulator = PLACODE_BIN_DIR "/placode-sim";  ///< Of the next start().
     int lock_after_s = 0;                                ///< Of the next start().
     bool without_store = false;  ///< Of the next start(): no --store is given.
+    std::string server;          ///< Of the next start(): its address, in place of the file's.
     QString open_this;           ///< Answer to the next dialog for a file to read.
 
  private:

@@ -18,6 +18,7 @@
 
 #include "db/said.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/waiting_recordings.h"
 
 namespace placode::ui {
 namespace {
@@ -59,6 +60,7 @@ AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) 
     options.launch.language = language_;
     launcher_ = std::make_unique<AttemptLauncher>(options.launch);
     replays_ = std::make_unique<ReplayQueue>();
+    waiting_ = std::make_unique<WaitingRecordings>(*this);
     connect(launcher_.get(), &AttemptLauncher::started, this, [this] { replays_->hold(true); });
     connect(launcher_.get(), &AttemptLauncher::ended, this, [this] { replays_->hold(false); });
     installTranslators();
@@ -246,16 +248,33 @@ void AppContext::background(QObject* receiver, const QString& doing,
 
 void AppContext::backgroundFor(int64_t account, QObject* receiver, const QString& doing,
                                std::function<void(db::Store&)> work, std::function<void(bool)> done,
-                               const WorkSize& size) {
+                               const WorkSize& size,
+                               std::function<bool(const std::exception_ptr&)> dealt_with) {
     ++busy_;
     work_size_ = size;
     work_started_.start();
     Q_EMIT busyChanged(doing);
     const QPointer<QObject> alive(receiver);
     const QElapsedTimer began = work_started_;
-    QThreadPool::globalInstance()->start([this, alive, doing, work = std::move(work),
+    quietlyFor(account, this, std::move(work),
+               [this, alive, doing, done = std::move(done), dealt_with = std::move(dealt_with),
+                size, began](const std::exception_ptr& error) {
+                   if (!error)
+                       learn_pace(*settings_, size, static_cast<double>(began.elapsed()) / 1000);
+                   if (--busy_ == 0) Q_EMIT busyChanged({});
+                   if (error && !(alive && dealt_with && dealt_with(error)))
+                       report(problem_of(error, doing));
+                   if (alive) done(!error);
+               });
+}
+
+void AppContext::quietlyFor(int64_t account, QObject* receiver,
+                            std::function<void(db::Store&)> work,
+                            std::function<void(const std::exception_ptr&)> done) {
+    const QPointer<QObject> alive(receiver);
+    QThreadPool::globalInstance()->start([this, alive, work = std::move(work),
                                           done = std::move(done), url = store_url_, user = user_,
-                                          account, size, began] {
+                                          account] {
         std::exception_ptr error;
         try {
             const std::unique_ptr<db::Store> own = db::open_store(url);
@@ -268,11 +287,8 @@ void AppContext::backgroundFor(int64_t account, QObject* receiver, const QString
         } catch (...) {
             error = std::current_exception();
         }
-        const auto deliver = [this, alive, doing, done, error, size, began] {
-            if (!error) learn_pace(*settings_, size, static_cast<double>(began.elapsed()) / 1000);
-            if (--busy_ == 0) Q_EMIT busyChanged({});
-            if (error) report(problem_of(error, doing));
-            if (alive) done(!error);
+        const auto deliver = [alive, done, error] {
+            if (alive) done(error);
         };
         QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
     });

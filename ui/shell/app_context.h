@@ -29,6 +29,8 @@ class QTranslator;
 
 namespace placode::ui {
 
+class WaitingRecordings;
+
 /// Asks for a file to write: parent, title, proposal, filter. Empty: the user gave up.
 using AskFile = std::function<QString(QWidget*, const QString&, const QString&, const QString&)>;
 
@@ -94,6 +96,9 @@ class AppContext : public QObject {
     }
     void savingBegins(const QString& recording_file) { saving_.insert(recording_file); }
     void savingEnds(const QString& recording_file) { saving_.erase(recording_file); }
+    [[nodiscard]] bool isBeingSaved(const QString& recording_file) const {
+        return saving_.count(recording_file) > 0;
+    }
 
     [[nodiscard]] bool signedIn() const { return user_.has_value(); }
     [[nodiscard]] const db::UserRecord& user() const { return *user_; }  ///< @pre signedIn()
@@ -143,6 +148,7 @@ class AppContext : public QObject {
 
     [[nodiscard]] AttemptLauncher& launcher() { return *launcher_; }
     [[nodiscard]] ReplayQueue& replays() { return *replays_; }
+    [[nodiscard]] WaitingRecordings& waiting() { return *waiting_; }
     /// Simulates again what waits for it in this store, behind everything else.
     void verifyAttempts();
 
@@ -157,9 +163,14 @@ class AppContext : public QObject {
     void background(QObject* receiver, const QString& doing, std::function<void(db::Store&)> work,
                     std::function<void(bool)> done, const WorkSize& size = {});
     /// The same in the name of who began it and may have signed out meanwhile; 0 = nobody.
+    /// @param dealt_with asked before an exception becomes a banner: true, and it becomes none.
     void backgroundFor(int64_t account, QObject* receiver, const QString& doing,
                        std::function<void(db::Store&)> work, std::function<void(bool)> done,
-                       const WorkSize& size = {});
+                       const WorkSize& size = {},
+                       std::function<bool(const std::exception_ptr&)> dealt_with = {});
+    /// The same without a word to anybody: `done` gets the exception, or nothing.
+    void quietlyFor(int64_t account, QObject* receiver, std::function<void(db::Store&)> work,
+                    std::function<void(const std::exception_ptr&)> done);
     /// How far the work in progress is, by what work of its kind took on this computer before;
     /// nullopt when there is none, several at once, or nothing known of it.
     [[nodiscard]] std::optional<WorkPace> busyPace() const;
@@ -213,6 +224,7 @@ class AppContext : public QObject {
     int busy_ = 0;
     WorkSize work_size_;  ///< Of the last work that began.
     QElapsedTimer work_started_;
+    std::unique_ptr<WaitingRecordings> waiting_;
 };
 
 }  // namespace placode::ui

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/attempt_order.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
@@ -14,10 +18,12 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <array>
+#include <cerrno>
 
 #include "db/evidence.h"
 #include "db/recording_file.h"
 #include "db/recording_order.h"
+#include "db/store_url.h"
 #include "db/study_conduct.h"
 
 namespace placode::ui {
@@ -49,6 +55,26 @@ void record_study_step(db::Store& store, const AttemptOrder& order, int64_t atte
     db::record_attempt_step(store, step);
 }
 
+/// One at a time saves a recording, in this program or in others: the store keeps the same
+/// recording twice when it comes twice. The lock is on the order, which goes last, and ends with
+/// the program.
+class OnlySaver {
+ public:
+    explicit OnlySaver(const QString& recording_file)
+        : file_(::open(QFile::encodeName(order_file(recording_file)).constData(),
+                       O_RDONLY | O_CLOEXEC)) {
+        while (file_ >= 0 && ::flock(file_, LOCK_EX) != 0 && errno == EINTR) continue;
+    }
+    ~OnlySaver() {
+        if (file_ >= 0) ::close(file_);
+    }
+    OnlySaver(const OnlySaver&) = delete;
+    OnlySaver& operator=(const OnlySaver&) = delete;
+
+ private:
+    int file_;
+};
+
 bool is_of(const db::AttemptOwner& owner, const AttemptOrder& order) {
     if (!order.study.isEmpty() || !owner.study.study.empty())
         return owner.study.study == order.study.toStdString() &&
@@ -57,6 +83,15 @@ bool is_of(const db::AttemptOwner& owner, const AttemptOrder& order) {
 }
 
 }  // namespace
+
+QString server_place(const std::string& store_url) {
+    const db::StoreUrl url = db::parse_store_url(store_url);
+    if (url.engine == db::Engine::kSqlite) return {};
+    return QString("postgresql://%1:%2/%3")
+        .arg(QString::fromStdString(url.host))
+        .arg(url.port)
+        .arg(QString::fromStdString(url.name));
+}
 
 QString recordings_folder(const std::string& store_url) {
     const QString url = QString::fromStdString(store_url);
@@ -97,6 +132,7 @@ void write_order(AttemptOrder& order, const QString& folder) {
         {"exam_begin", static_cast<qint64>(order.exam.begin)},
         {"proctor", QString::fromStdString(order.exam.proctor)},
         {"device_certificate", QString::fromStdString(order.exam.device_certificate)},
+        {"store", order.store},
         {"nonce", fresh_nonce()}};
     QSaveFile file(order_file(order.recording_file));
     order.text = QJsonDocument(json).toJson();
@@ -135,6 +171,7 @@ std::optional<AttemptOrder> read_order(const QString& recording_file) {
     order.exam.begin = json["exam_begin"].toInteger();
     order.exam.proctor = json["proctor"].toString().toStdString();
     order.exam.device_certificate = json["device_certificate"].toString().toStdString();
+    order.store = json["store"].toString();
     order.recording_file = recording_file;
     return order;
 }
@@ -192,11 +229,13 @@ std::vector<Leftover> find_leftovers(const QString& folder, Depth depth,
 }
 
 void remove_recording(const QString& recording_file) {
-    for (const char* suffix : {"", "-wal", "-shm", "-journal", ".order.json"})
+    for (const char* suffix : {"", "-wal", "-shm", "-journal", kWaitingSuffix, ".order.json"})
         QFile::remove(recording_file + suffix);
 }
 
 SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
+    const OnlySaver only(order.recording_file);
+    if (!QFile::exists(order.recording_file)) return {Saving::kGone, 0};
     const std::string file = order.recording_file.toStdString();
     // Left over from a crash between saving and removing. An order that was changed does not make
     // it another step of a study: it goes on, and is void.

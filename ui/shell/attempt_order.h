@@ -16,6 +16,9 @@
 
 namespace placode::ui {
 
+/// Behind the name of a recording that waits for its server (waiting_recordings.h): an empty file.
+inline constexpr const char* kWaitingSuffix = ".waiting";
+
 /// One attempt, from Start to the store.
 struct AttemptOrder {
     int64_t user_id = 0;
@@ -35,6 +38,7 @@ struct AttemptOrder {
     uint64_t seed = 0;      ///< Of anatomy and operator; 0 = the program's own.
     db::ExamContext exam;   ///< Of an exam stage; no course = practice.
     QByteArray text;        ///< As it lies beside the recording; empty: no file does.
+    QString store;          ///< server_place() of the one that it was begun for.
 
     [[nodiscard]] curriculum::AttemptMode mode() const {
         if (!study.isEmpty()) return curriculum::AttemptMode::kStudy;
@@ -55,6 +59,10 @@ struct Leftover {
     std::optional<db::StoreError> problem;  ///< Why it cannot be read at all.
 };
 
+/// Which server's store this address is, without log-in and options: the recordings of all of them
+/// lie in one folder. Empty for a store that is a file, which has a folder of its own.
+[[nodiscard]] QString server_place(const std::string& store_url);
+
 /// Folder for recordings of a store: beside an embedded one, else in the user's data folder.
 [[nodiscard]] QString recordings_folder(const std::string& store_url);
 
@@ -73,13 +81,14 @@ enum class Depth : uint8_t { kLength, kWhole };
 [[nodiscard]] std::vector<Leftover> find_leftovers(const QString& folder, Depth depth,
                                                    const std::set<QString>& saved = {});
 
-/// Removes a recording and its order.
+/// Removes a recording, its order and the mark that it waits.
 void remove_recording(const QString& recording_file);
 
 /// What became of a recording.
 enum class Saving : uint8_t {
     kSaved,
     kEmpty,  ///< Nothing was recorded: there is no attempt to save.
+    kGone,   ///< Not there any more: another window has saved it meanwhile, or removed it.
 };
 struct SavedAttempt {
     Saving outcome = Saving::kEmpty;
@@ -87,8 +96,9 @@ struct SavedAttempt {
 };
 
 /// Reads the recording, computes metrics and score, saves all of it in one transaction and only
-/// then removes the files. A file that the store already holds is not saved twice. Throws what the
-/// parts throw; the files then stay. Any thread, with a store of that thread.
+/// then removes the files. A file that the store already holds is not saved twice, also when
+/// several programs save it at once: those wait for the first. Throws what the parts throw; the
+/// files then stay. Any thread, with a store of that thread.
 [[nodiscard]] SavedAttempt save_recording(db::Store& store, const AttemptOrder& order);
 
 /// A recording file, read back up to a damage.

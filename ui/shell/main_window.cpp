@@ -32,6 +32,7 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
     connect(&context, &AppContext::busyChanged, notices_, &Notices::showBusy);
     connect(&context.launcher(), &AttemptLauncher::ended, this, &MainWindow::onAttemptEnded);
     connect(&context.replays(), &ReplayQueue::checked, this, &MainWindow::onReplayed);
+    watchWaiting();
     auto* find = new QShortcut(QKeySequence("Ctrl+K"), this);
     connect(find, &QShortcut::activated, this, &MainWindow::openSearch);
     connect(new QShortcut(QKeySequence("F1"), this), &QShortcut::activated, this, [this] {
@@ -244,6 +245,7 @@ void MainWindow::updateFrame() {
     // Whoever has not signed in may neither look at an attempt nor end it.
     running_->setVisible(context_.signedIn() && context_.launcher().running() &&
                          place_.page != PageId::kRunning);
+    showWaitingCount();
     title_->setText(page_ ? page_->title() : QString());
     narrowRail();  // The title may leave less room beside it.
     placeNotices();

@@ -83,6 +83,11 @@ class MainWindow : public QMainWindow {
     /// Whoever looks at that attempt sees what came out.
     void onReplayed(qint64 attempt_id);
     void offerLeftovers();
+    /// The server is away: said, and true, where the attempt is saved when it is back.
+    [[nodiscard]] bool keepForLater(const AttemptOrder& order, const std::exception_ptr& error);
+    void watchWaiting();
+    void onWaitingSaved(const AttemptOrder& order, qint64 attempt_id);
+    void showWaitingCount();
     void openSearch();
     /// The time to the lock begins anew.
     void touched();
@@ -121,7 +126,7 @@ class MainWindow : public QMainWindow {
     QVBoxLayout* content_ = nullptr;
     QPointer<QWidget> shown_;
     QLabel* title_ = nullptr;
-    QToolButton* running_ = nullptr;
+    QToolButton *running_ = nullptr, *waiting_ = nullptr;
     std::vector<std::pair<QToolButton*, PageId>> rail_buttons_;
     QPointer<QWidget> search_;
     QTimer idle_;

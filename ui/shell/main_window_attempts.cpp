@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of an attempt when its process has ended, and of those that a crash left over.
 #include <QFile>
+#include <QToolButton>
 #include <memory>
 
 #include "ui/diagnostics/program_log.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/waiting_recordings.h"
 
 namespace placode::ui {
 namespace {
@@ -99,6 +101,10 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
                                                            : placeOf(ending.order));
                 return;
             }
+            if (saved->outcome == Saving::kGone) {
+                if (waiting) leaveRunning(ending.order);
+                return;
+            }
             if (saved->outcome == Saving::kEmpty) {
                 QString what = tr("The attempt was left before it began; nothing was kept.");
                 if (ending.order.mode() == curriculum::AttemptMode::kExam) what += " " + used_up();
@@ -122,7 +128,50 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
                 {order.study.isEmpty() ? tr("Open the result") : tr("Go on with the study"),
                  [this, result] { open(result); }});
         },
-        {"scoring", context_.launcher().status().time_s});
+        {"scoring", context_.launcher().status().time_s},
+        [this, order = ending.order](const std::exception_ptr& error) {
+            context_.savingEnds(order.recording_file);
+            return keepForLater(order, error);
+        });
+}
+
+bool MainWindow::keepForLater(const AttemptOrder& order, const std::exception_ptr& error) {
+    if (!context_.waiting().keep(order, error)) return false;
+    Problem problem = problem_of(error, {});
+    problem.title = tr("The server is away. The attempt is kept on this computer.");
+    problem.way_out = tr("It is saved by itself when the server is back.");
+    context_.report(problem);
+    return true;
+}
+
+void MainWindow::watchWaiting() {
+    WaitingRecordings& waiting = context_.waiting();
+    connect(&waiting, &WaitingRecordings::changed, this, &MainWindow::updateFrame);
+    connect(&waiting, &WaitingRecordings::saved, this, &MainWindow::onWaitingSaved);
+    connect(&waiting, &WaitingRecordings::failed, this,
+            [this](const Problem& problem) { context_.report(problem); });
+    connect(&waiting, &WaitingRecordings::stillAway, this, [this] {
+        notices_->showNotice(tr("The server is still away. Placode goes on trying by itself."));
+    });
+}
+
+void MainWindow::showWaitingCount() {
+    const int count = context_.waiting().count();
+    waiting_->setText(tr("Waiting: %1").arg(count));
+    waiting_->setAccessibleName(waiting_->text());
+    waiting_->setVisible(context_.signedIn() && count > 0 && !handedOver());
+}
+
+void MainWindow::onWaitingSaved(const AttemptOrder& order, qint64 attempt_id) {
+    context_.verifyAttempts();
+    if (!isMine(order) || handedOver()) return;
+    if (place_.page == PageId::kRecovery) showPlace(place_);
+    const QString text = tr("An attempt that was kept on this computer is saved now.");
+    // What a participant did is looked at by those who may, where studies are.
+    if (!order.study.isEmpty()) return notices_->showNotice(text);
+    notices_->showNotice(text, {tr("Open the result"), [this, attempt_id] {
+                                    open({PageId::kResult, attempt_id, {}, {}});
+                                }});
 }
 
 void MainWindow::onReplayed(qint64 attempt_id) {
@@ -140,6 +189,7 @@ void MainWindow::offerLeftovers() {
         for (Leftover& leftover : context_.leftovers(Depth::kLength)) {
             const bool own = leftover.order && leftover.order->user_id == context_.user().id;
             if (!own && !(all && !leftover.order)) continue;
+            if (context_.waiting().holds(leftover.recording_file)) continue;
             ++mine;
             last = std::move(leftover);
         }

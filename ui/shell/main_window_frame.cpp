@@ -133,6 +133,18 @@ QWidget* MainWindow::buildTopBar() {
     running_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     connect(running_, &QToolButton::clicked, this, [this] { open({PageId::kRunning, 0, {}, {}}); });
     row->addWidget(running_);
+    waiting_ = new QToolButton;
+    waiting_->setObjectName("waiting_chip");
+    waiting_->setIcon(line_icon("pause", context_.colors().accent));
+    waiting_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    waiting_->setToolTip(
+        tr("Your attempts that are kept on this computer until the server is back. Shows them, "
+           "and tries again now."));
+    connect(waiting_, &QToolButton::clicked, this, [this] {
+        open({PageId::kRecovery, 0, {}, {}});
+        context_.waiting().tryNow();
+    });
+    row->addWidget(waiting_);
     const bool dark = context_.theme() == ThemeKind::kDark;
     auto* search = new QToolButton;
     search->setObjectName("search");
@@ -161,7 +173,7 @@ QWidget* MainWindow::buildTopBar() {
     theme->setAccessibleName(theme->toolTip());
     connect(theme, &QToolButton::clicked, this,
             [this, dark] { context_.setTheme(dark ? ThemeKind::kLight : ThemeKind::kDark); });
-    for (QToolButton* button : {running_, search, language, theme}) {
+    for (QToolButton* button : {running_, waiting_, search, language, theme}) {
         button->setIconSize(QSize(20, 20));
         button->setFocusPolicy(Qt::StrongFocus);
     }

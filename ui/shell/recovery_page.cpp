@@ -12,6 +12,7 @@
 #include "ui/shell/details.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/waiting_recordings.h"
 
 namespace placode::ui {
 namespace {
@@ -88,11 +89,15 @@ class RecoveryPage : public Page {
                !leftover.problem;
     }
 
-    [[nodiscard]] static QString headline(const Leftover& leftover) {
+    [[nodiscard]] QString headline(const Leftover& leftover) const {
         const QString when = format_clock(leftover.started_utc);
         if (leftover.problem)
             return when.isEmpty() ? tr("A recording") : tr("Recording of %1").arg(when);
         const QString length = format_duration(leftover.duration_s);
+        if (context_.waiting().holds(leftover.recording_file))
+            return tr("%1 of %2 (%3) waits for the server. It is saved by itself when that is "
+                      "back.")
+                .arg(leftover.task, when, length);
         return leftover.complete
                    ? tr("%1 of %2 (%3) was finished but could not be saved. Save it now?")
                          .arg(leftover.task, when, length)
@@ -182,6 +187,10 @@ class RecoveryPage : public Page {
             [this, saved, order](bool done) {
                 if (!done) return;
                 context_.verifyAttempts();
+                if (saved->outcome == Saving::kGone) {
+                    Q_EMIT go({PageId::kRecovery, 0, {}, {}});
+                    return;
+                }
                 if (saved->outcome == Saving::kEmpty) {
                     Q_EMIT notice(tr("Nothing had been recorded; the empty file was removed."));
                     Q_EMIT go({PageId::kRecovery, 0, {}, {}});

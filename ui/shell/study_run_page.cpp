@@ -283,6 +283,7 @@ class StudyRunPage : public Page {
             order.aids = qstr(curriculum::aid_names(step.allowed_aids()));
             order.min_s = step.min_s;
             order.duration_s = step.max_s > 0 ? step.max_s : step.time_limit_s.value_or(0);
+            order.store = server_place(context_.storeUrl());
             context_.launcher().start(order, context_.recordingsFolder());
             Q_EMIT go({PageId::kRunning, 0, {}, {}});
         });

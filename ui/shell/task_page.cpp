@@ -248,6 +248,7 @@ class TaskPage : public Page {
             order.demonstration = context_.user().demonstration;
             if (exam_.stage() != nullptr) exam_.prepare(order, haptic_.count(order.device) > 0);
             context_.settings().setValue("device", order.device);
+            order.store = server_place(context_.storeUrl());
             context_.launcher().start(order, context_.recordingsFolder());
             Q_EMIT go({PageId::kRunning, 0, {}, {}});
         });

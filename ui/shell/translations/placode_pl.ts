@@ -4678,6 +4678,10 @@
 <context>
     <name>RecoveryPage</name>
     <message>
+        <source>%1 of %2 (%3) waits for the server. It is saved by itself when that is back.</source>
+        <translation>%1 z %2 (%3) czeka na serwer. Zapisze się sama, gdy wróci.</translation>
+    </message>
+    <message>
         <source>The recording is there already: choose another folder.</source>
         <translation>To nagranie już tam jest: wybierz inny folder.</translation>
     </message>
@@ -6416,6 +6420,30 @@
 </context>
 <context>
     <name>placode::ui::MainWindow</name>
+    <message>
+        <source>The server is away. The attempt is kept on this computer.</source>
+        <translation>Nie ma połączenia z serwerem. Próba zostaje na tym komputerze.</translation>
+    </message>
+    <message>
+        <source>It is saved by itself when the server is back.</source>
+        <translation>Zapisze się sama, gdy serwer wróci.</translation>
+    </message>
+    <message>
+        <source>The server is still away. Placode goes on trying by itself.</source>
+        <translation>Nadal nie ma połączenia z serwerem. Placode próbuje dalej.</translation>
+    </message>
+    <message>
+        <source>Waiting: %1</source>
+        <translation>Czeka: %1</translation>
+    </message>
+    <message>
+        <source>Your attempts that are kept on this computer until the server is back. Shows them, and tries again now.</source>
+        <translation>Twoje próby, które zostają na tym komputerze, aż serwer wróci. Pokazuje je i próbuje od razu.</translation>
+    </message>
+    <message>
+        <source>An attempt that was kept on this computer is saved now.</source>
+        <translation>Próba, która czekała na tym komputerze, jest już zapisana.</translation>
+    </message>
     <message>
         <source>Training</source>
         <translation>Szkolenie</translation>
@@ -14462,6 +14490,13 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Space</source>
         <translation>Spacja</translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::WaitingRecordings</name>
+    <message>
+        <source>Saving the attempt</source>
+        <translation>Zapis próby</translation>
     </message>
 </context>
 </TS>
