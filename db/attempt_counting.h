@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which attempts count. One that the machine spoilt, or that was broken off, is kept and counts for
-// nothing: neither mastery nor standings, norms, standards, cohort or studies.
+// Which attempts count. One that the machine spoilt, that was broken off, or that only shows how
+// something is done, is kept and counts for nothing: neither mastery nor standings, grades, norms,
+// standards, cohort or studies. What a script did counts for demonstration accounts
+// (db/attempt_rows.h): for anybody else a record that was read says that it is void.
 
 #include <vector>
 

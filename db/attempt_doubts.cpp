@@ -4,6 +4,7 @@
 
 #include <QtGlobal>
 
+#include "db/attempt_rows.h"
 #include "db/audit_check.h"
 #include "db/recording_file.h"
 #include "db/recording_order.h"
@@ -69,8 +70,9 @@ std::vector<VoidReason> doubts_in_store(StoreContext& context, const UserRecord&
                                         const AttemptResult& result, const std::string& checksum) {
     std::vector<VoidReason> doubts;
     // A script that passes an exam passes it for nobody but an account that shows how it is done.
+    // Other demonstrations are void wherever they are read (only_shows, db/attempt_rows.h).
     if (!result.exam.course_id.empty() && result.header.demonstration && !user.demonstration)
-        doubts.push_back({VoidCause::kScript, 0, 0, Said::as_is(result.header.device)});
+        doubts.push_back(shown_by(result.header.device));
     if (checksum.empty()) {
         // Nothing that could be simulated again.
         if (matters(result)) doubts.push_back({VoidCause::kNoRecording, 0, 0, {}});

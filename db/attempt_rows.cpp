@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/attempt_rows.h"
 
+#include <QtGlobal>
+#include <algorithm>
 #include <charconv>
 
 #include "db/reason_json.h"
+#include "db/void_reason.h"
 
 namespace placode::db {
 namespace {
@@ -15,7 +18,30 @@ uint64_t unsigned_of(const std::string& text) {
     return value;
 }
 
+void make_void(AttemptRecord& record, const VoidReason& why) {
+    std::vector<VoidReason> voids = void_reasons(record.void_reason, record.void_meaning);
+    if (std::any_of(voids.begin(), voids.end(),
+                    [&](const VoidReason& each) { return each.cause == why.cause; }))
+        return;
+    voids.push_back(why);
+    record.void_reason = void_text(voids);
+    record.void_meaning = void_meaning(voids);
+}
+
 }  // namespace
+
+VoidReason shown_by(const std::string& device) {
+    const bool script = device.starts_with("script:");
+    return {VoidCause::kScript, 0, 0,
+            script ? Said::as_is(device)
+                   : Said::listed(QT_TRANSLATE_NOOP("Said", "somebody for a demonstration (%1)"))
+                         .with(device)};
+}
+
+std::string only_shows(const std::string& table) {
+    return "(" + table + ".demonstration = 1 AND " + table +
+           ".account_id NOT IN (SELECT id FROM accounts WHERE demonstration = 1))";
+}
 
 const std::string& attempt_columns() {
     static const std::string columns =
@@ -25,9 +51,11 @@ const std::string& attempt_columns() {
         "t.end_reason, t.demonstration, t.points, t.verdict, t.rubric_id, t.rubric_version, "
         "t.metric_set_version, t.preprocessing_version, t.generated_from, t.exam_course, "
         "t.exam_course_version, t.exam_stage, t.proctor, t.device_certificate, t.haptic_grade, "
-        "t.exam_begin, t.void_reason, t.void_meaning, t.replay, t.study, t.participant FROM "
-        "attempts t LEFT JOIN "
-        "persons p ON p.account_id = t.account_id ";
+        "t.exam_begin, t.void_reason, t.void_meaning, t.replay, t.study, t.participant, CASE WHEN " +
+        only_shows("t") +
+        " AND NOT EXISTS (SELECT 1 FROM participant_states s WHERE s.study_id = t.study AND s.code "
+        "= t.participant AND s.demonstration = 1) THEN 1 ELSE 0 END AS only_shows FROM attempts t "
+        "LEFT JOIN persons p ON p.account_id = t.account_id ";
     return columns;
 }
 
@@ -61,6 +89,7 @@ AttemptRecord read_attempt(const Statement& row) {
     record.void_meaning = row.text("void_meaning");
     record.replay = static_cast<ReplayState>(row.integer("replay"));
     record.study = {row.text("study"), row.text("participant")};
+    if (row.integer("only_shows") != 0) make_void(record, shown_by(record.device));
     return record;
 }
 
@@ -105,7 +134,8 @@ std::string is_finished(const std::string& table) {
            number(ReplayState::kWaiting) + ", " + number(ReplayState::kDiffers) + ") AND " + table +
            ".study = '' AND " + table + ".end_reason <> " +
            std::to_string(static_cast<int>(sim::EndReason::kInterrupted)) + " AND " + table +
-           ".verdict <> " + std::to_string(static_cast<int>(assessment::Verdict::kNotAttempted));
+           ".verdict <> " + std::to_string(static_cast<int>(assessment::Verdict::kNotAttempted)) +
+           " AND NOT " + only_shows(table);
 }
 
 void insert_score(Connection& connection, const std::string& table, const std::string& owner,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Questions about the table attempts and how their rows are read. Only attempts*.cpp,
-// course_rows.cpp and norms.cpp include this.
+// attempt_doubts.cpp, course_rows.cpp and norms.cpp include this.
 
 #include <QVariant>
 #include <cstdint>
@@ -16,6 +16,7 @@ namespace placode::db {
 
 /// SELECT ... FROM attempts t ..., for read_attempt().
 [[nodiscard]] const std::string& attempt_columns();
+/// What only_shows() finds is void in it, whatever the row says of that.
 [[nodiscard]] AttemptRecord read_attempt(const Statement& row);
 /// From a question for item, reason, points, time_s, critical, meaning.
 [[nodiscard]] assessment::Reason read_reason(const Statement& row);
@@ -48,8 +49,13 @@ enum class OfStudies : uint8_t { kLeftOut, kTakenIn };
 [[nodiscard]] AttemptConditions conditions_of(int64_t user_id, int64_t group_id,
                                               const std::string& task_id,
                                               OfStudies studies = OfStudies::kLeftOut);
-/// Interrupted attempts count nowhere, nor do those that are void for cause, of a study, or exams
-/// that were not simulated again yet.
+/// Why what a script did, or a recording that says it is a demonstration, is void.
+[[nodiscard]] VoidReason shown_by(const std::string& device);
+/// SQL over a row of attempts that is of no study: a demonstration, and not of an account that is
+/// there to demonstrate. (In a study those of demonstration participants count, too.)
+[[nodiscard]] std::string only_shows(const std::string& table);
+/// Interrupted attempts count nowhere, nor do those that are void for cause, that only_shows()
+/// finds, of a study, or exams that were not simulated again yet.
 [[nodiscard]] std::string is_finished(const std::string& table);
 
 }  // namespace placode::db

@@ -57,6 +57,13 @@ std::optional<curriculum::StudyStep> asked_step(Store& store, const StepRecord& 
     return asked == nullptr ? std::nullopt : std::optional(*asked);
 }
 
+bool demonstrates(Store& store, const StepRecord& step) {
+    const auto all = store.studies().participants(step.study_id);
+    return std::ranges::any_of(all, [&](const ParticipantRecord& each) {
+        return each.code == step.participant && each.demonstration;
+    });
+}
+
 /// Why an attempt does not do the step; nothing = it does.
 NotDone why_not_done(const AttemptRecord& attempt,
                      const std::optional<curriculum::StudyStep>& asked) {
@@ -250,7 +257,11 @@ void record_attempt_step(Store& store, StepRecord step) {
         if (each.attempt_id == step.attempt_id) return;
     const AttemptRecord attempt = store.attempts().detail(step.attempt_id).record;
     const auto asked = asked_step(store, step);
-    const NotDone why = why_not_done(attempt, asked);
+    NotDone why = why_not_done(attempt, asked);
+    // Not the participant's yet, who may be there to demonstrate (db/attempt_rows.h).
+    if (attempt.study.study.empty() && demonstrates(store, step))
+        std::erase_if(why.voids,
+                      [](const VoidReason& each) { return each.cause == VoidCause::kScript; });
     step.detail = not_done_text(why);
     step.detail_meaning = not_done_meaning(why);
     step.state = step.detail.empty() ? StepState::kDone : StepState::kStarted;

@@ -44,8 +44,8 @@ class Counting : public EngineTest {
         store = open();
         user = store->accounts().create({"anna", "Anna", "correct horse battery", 1, false});
     }
-    int64_t save(const std::string& started_utc, std::vector<sim::Event> events,
-                 db::ExamContext exam = {}) {
+    [[nodiscard]] static db::AttemptResult passed(const std::string& started_utc,
+                                                  std::vector<sim::Event> events) {
         db::AttemptResult result;
         result.header.task_id = "diathermy_ring";
         result.header.started_utc = started_utc;
@@ -55,6 +55,11 @@ class Counting : public EngineTest {
         result.score.verdict = assessment::Verdict::kPassed;
         result.metrics.values = {{"path_length_mm", 1}};
         result.events = std::move(events);
+        return result;
+    }
+    int64_t save(const std::string& started_utc, std::vector<sim::Event> events,
+                 db::ExamContext exam = {}) {
+        db::AttemptResult result = passed(started_utc, std::move(events));
         result.exam = std::move(exam);
         return save_recorded(*store, user, result, folder.path().string());
     }
@@ -122,6 +127,43 @@ TEST_P(Counting, ASlowAttemptIsKeptAndCountsNowhere) {
     EXPECT_EQ(db::person_means(*store, "diathermy_ring", {user}, 5), std::vector<double>{90})
         << "standards";
     EXPECT_EQ(db::other_attempts(*store, record).size(), 2u);
+}
+
+/// A script did it, or the recording says so: whoever asks, it is nobody's skill.
+TEST_P(Counting, ADemonstrationCountsForNobodyButADemonstrationAccount) {
+    const auto shown = [&](int64_t whose, const std::string& device, db::StudyContext study = {}) {
+        db::AttemptResult result = passed("2026-01-02T03:00:00.000Z", {machine(1, 60)});
+        result.header.device = device;
+        result.header.demonstration = true;
+        result.study = std::move(study);
+        return store->attempts()
+            .detail(save_recorded(*store, whose, result, folder.path().string()))
+            .record;
+    };
+    const db::AttemptRecord script = shown(user, "script:expert");
+    EXPECT_FALSE(db::counts(script));
+    EXPECT_TRUE(db::not_verified(script));
+    EXPECT_EQ(script.void_reason, "Practice, not verified: operated by script:expert");
+    EXPECT_EQ(shown(user, "mouse").void_reason,
+              "Practice, not verified: operated by somebody for a demonstration (mouse)");
+    EXPECT_TRUE(store->attempts().standings(0).empty());
+    EXPECT_TRUE(store->attempts().points(0).empty());
+    EXPECT_TRUE(store->attempts().recent_means("diathermy_ring", 5).empty());
+    EXPECT_TRUE(
+        db::level_attempts(*store, "diathermy_ring", {{"expert", {user}}})[0].by_person.empty());
+    for (const db::AttemptRecord& each : store->attempts().list(user))
+        EXPECT_FALSE(db::counts(each)) << "grades, pages and cohorts";
+
+    const int64_t dora =
+        store->accounts().create({"dora", "Dora", "correct horse battery", 1, true});
+    EXPECT_TRUE(db::counts(shown(dora, "script:expert")));
+    EXPECT_EQ(store->attempts().standings(0).at(0).user_id, dora);
+    EXPECT_EQ(store->attempts().points(0).size(), 1u);
+
+    const std::string person = store->studies().new_participant("pilot", false);
+    const std::string shows = store->studies().new_participant("pilot", true);
+    EXPECT_FALSE(db::counts(shown(user, "script:novice", {"pilot", person})));
+    EXPECT_TRUE(db::counts(shown(user, "script:expert", {"pilot", shows})));
 }
 
 TEST_P(Counting, ATunedAttemptCountsNowhereAndNoMachineIsAtFault) {

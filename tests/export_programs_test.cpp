@@ -149,7 +149,9 @@ TEST_F(Programs, AProcedureOfAStudyIsJudgedRepeatedAndNotedOnTheCommandLine) {
         return ctl("--as carl " + arguments, kRight);
     };
     ASSERT_EQ(carl("study demo").status, 0);
-    const std::string code = carl("study enrol face_content_validity --consented").out.substr(0, 6);
+    // A script operates, which does no step of a participant.
+    const std::string code =
+        carl("study enrol face_content_validity --consented --demonstration").out.substr(0, 6);
     const std::string of_code = " face_content_validity " + code + " ";
     for (const char* number : {"1", "2"}) {
         const std::string name = std::string(number) + ".placode";

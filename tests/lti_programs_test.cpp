@@ -58,6 +58,7 @@ class LtiPrograms : public Programs {
         const auto direct = db::open_store("sqlite:" + store);
         direct->act_as("test");
         db::AttemptResult result = make_result();
+        result.header.demonstration = false;  // It would be nobody's grade.
         result.score.points = points;
         result.end.reason = end;
         result.header.started_utc = "2026-01-02T03:04:0" + std::to_string(++second_) + ".000Z";

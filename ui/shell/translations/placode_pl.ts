@@ -11196,6 +11196,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>it was not begun here, and neither a proctor nor an administrator vouches for it</source>
         <translation>nie rozpoczęto go tutaj i nie ręczy za niego ani osoba nadzorująca, ani administrator</translation>
     </message>
+    <message>
+        <source>somebody for a demonstration (%1)</source>
+        <translation>ktoś w ramach pokazu (%1)</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::Details</name>
