@@ -10,6 +10,7 @@
 #include "db/accounts.h"
 #include "db/attempt_rows.h"
 #include "db/attempts.h"
+#include "db/demonstration.h"
 #include "db/store_context.h"
 
 namespace placode::db {
@@ -157,8 +158,14 @@ std::vector<RecentMean> Attempts::recent_means(const std::string& task_id, int l
     context_.need(Action::kViewAttempts);
     // Before the question: PostgreSQL answers one at a time.
     std::map<int64_t, std::string> names;
-    for (const UserRecord& user : Accounts(context_).list()) names[user.id] = user.display_name;
+    const std::vector<UserRecord> users = Accounts(context_).list();
+    for (const UserRecord& user : users) names[user.id] = user.display_name;
     connection_.begin_operation("read scores from");
+    // Marks are made of these means: what demonstrates sets none for real people.
+    const std::string real = is_demonstration_store(users) ? "" : ".demonstration = 0 AND ";
+    const auto taken = [&real](const std::string& table) {
+        return (real.empty() ? "" : table + real) + is_finished(table);
+    };
     const auto script = [](const std::string& table) {
         return "CASE WHEN " + table + ".device LIKE 'script:%' THEN " + table +
                ".device ELSE '' END";
@@ -169,13 +176,13 @@ std::vector<RecentMean> Attempts::recent_means(const std::string& task_id, int l
         "g.demonstration AS demonstration, (SELECT AVG(few.points) "
         "FROM (SELECT x.points FROM attempts x WHERE x.account_id = g.account_id AND "
         "x.task_id = ? AND " +
-            is_finished("x") + " AND " + script("x") +
+            taken("x") + " AND " + script("x") +
             " = g.script ORDER BY x.started_utc DESC, x.id DESC LIMIT ?) AS few) AS mean FROM "
             "(SELECT t.account_id, " +
             script("t") +
             " AS script, COUNT(*) AS n, MAX(t.demonstration) AS demonstration FROM "
             "attempts t WHERE t.task_id = ? AND " +
-            is_finished("t") + " GROUP BY t.account_id, " + script("t") + ") g");
+            taken("t") + " GROUP BY t.account_id, " + script("t") + ") g");
     query.run(task_id, int64_t{last}, task_id);
     std::vector<RecentMean> found;
     while (query.next()) {

@@ -8,6 +8,7 @@
 
 #include "assessment/statistics.h"
 #include "db/attempt_counting.h"
+#include "db/demonstration.h"
 #include "db/said.h"
 #include "db/signature.h"
 
@@ -64,8 +65,8 @@ curriculum::NormGroup group_of(const LevelAttempts& level, const std::vector<std
     return group;
 }
 
-/// Other centres measure their trainees by a pack: what people did is in it once it was simulated
-/// again with the same outcome. A pack of demonstrations says that it is one.
+}  // namespace
+
 void need_proof(const std::vector<LevelAttempts>& levels) {
     int all = 0, unproven = 0;
     for (const LevelAttempts& level : levels)
@@ -83,7 +84,15 @@ void need_proof(const std::vector<LevelAttempts>& levels) {
                    .with(all));
 }
 
-}  // namespace
+void leave_demonstrations_out(Store& store, std::vector<LevelAttempts>& levels) {
+    if (is_demonstration_store(store.accounts().list())) return;
+    for (LevelAttempts& level : levels) {
+        for (auto& [person, attempts] : level.by_person)
+            std::erase_if(attempts,
+                          [](const MeasuredAttempt& one) { return one.record.demonstration; });
+        std::erase_if(level.by_person, [](const auto& each) { return each.second.empty(); });
+    }
+}
 
 int LevelAttempts::attempts() const {
     size_t n = 0;

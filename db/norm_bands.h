@@ -29,6 +29,15 @@ struct LevelAttempts {
     Store& store, const std::string& task_id,
     const std::map<std::string, std::vector<int64_t>>& people);
 
+/// Others are judged by what comes of these: what people did is in it once it was simulated again
+/// with the same outcome. Throws StoreError(kRefused) that says how many never were. A
+/// demonstration need not be; whoever makes something of it says that it is one.
+void need_proof(const std::vector<LevelAttempts>& levels);
+
+/// For what real people are judged by: demonstrations stay only where all accounts are there to
+/// demonstrate.
+void leave_demonstrations_out(Store& store, std::vector<LevelAttempts>& levels);
+
 /// Higher for "points"; neutral for what is no metric.
 [[nodiscard]] assessment::Direction direction_of(const std::string& metric);
 

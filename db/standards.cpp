@@ -3,15 +3,31 @@
 #include "db/standards.h"
 
 #include <algorithm>
-#include <span>
 
 #include "assessment/statistics.h"
 #include "db/attempt_counting.h"
+#include "db/demonstration.h"
 
 namespace placode::db {
 namespace {
 
 constexpr const char* kKind = "standard";
+
+/// The attempts of each of these people by which others may be judged, the last ones.
+std::vector<std::vector<AttemptRecord>> judging(Store& store, const std::string& task_id,
+                                                const std::vector<int64_t>& people, int last) {
+    const bool shows = is_demonstration_store(store.accounts().list());
+    std::vector<std::vector<AttemptRecord>> found;
+    for (const int64_t person : people) {
+        std::vector<AttemptRecord> own = store.attempts().list(person, task_id);
+        std::erase_if(own, [shows](const AttemptRecord& each) {
+            return !counts(each) || (each.demonstration && !shows);
+        });
+        if (own.size() > static_cast<size_t>(last)) own.erase(own.begin(), own.end() - last);
+        found.push_back(std::move(own));
+    }
+    return found;
+}
 
 }  // namespace
 
@@ -50,16 +66,11 @@ assessment::Rubric rubric_at(Store& store, const curriculum::Task& task,
 void need_replayed(Store& store, const std::string& task_id, const std::vector<int64_t>& people,
                    int last) {
     int all = 0, unproven = 0;
-    for (const int64_t person : people) {
-        std::vector<AttemptRecord> own = store.attempts().list(person, task_id);
-        std::erase_if(
-            own, [](const AttemptRecord& each) { return !counts(each) || each.demonstration; });
-        const size_t n = std::min(static_cast<size_t>(last), own.size());
-        for (const AttemptRecord& each : std::span(own).last(n)) {
+    for (const auto& own : judging(store, task_id, people, last))
+        for (const AttemptRecord& each : own) {
             ++all;
-            if (each.replay != ReplayState::kIdentical) ++unproven;
+            if (!each.demonstration && each.replay != ReplayState::kIdentical) ++unproven;
         }
-    }
     if (unproven > 0)
         throw StoreError(StoreError::Kind::kRefused, "standard of " + task_id + ": ",
                          Said::that("%1 of %2 attempts were never simulated again; let `placodectl "
@@ -72,13 +83,10 @@ std::vector<double> person_means(Store& store, const std::string& task_id,
                                  const std::vector<int64_t>& people, int last) {
     need_replayed(store, task_id, people, last);
     std::vector<double> means;
-    for (const int64_t person : people) {
+    for (const auto& own : judging(store, task_id, people, last)) {
         std::vector<double> points;
-        for (const AttemptRecord& each : store.attempts().list(person, task_id))
-            if (counts(each)) points.push_back(each.points);
-        const size_t n = std::min(static_cast<size_t>(last), points.size());
-        if (const auto mean = assessment::mean_of(std::span(points).last(n)))
-            means.push_back(*mean);
+        for (const AttemptRecord& each : own) points.push_back(each.points);
+        if (const auto mean = assessment::mean_of(points)) means.push_back(*mean);
     }
     return means;
 }

@@ -33,13 +33,13 @@ int set_standard(Store& store, curriculum::PassStandard standard, const std::str
                                            const std::string& at_utc = {});
 
 /// Others are judged by a standard, as by norms: throws StoreError kRefused where one of the last
-/// `last` attempts of these people that count was never simulated again. What a script showed says
-/// that it is a demonstration, and need not be.
+/// `last` attempts of these people that count was never simulated again. Demonstrations are in no
+/// standard, but where all accounts are there to demonstrate; there they need not be proved.
 void need_replayed(Store& store, const std::string& task_id, const std::vector<int64_t>& people,
                    int last);
 
-/// Of each of these people the mean of the last `last` finished attempts at the task; who has none
-/// is left out. Throws as need_replayed().
+/// Of each of these people the mean of the attempts that need_replayed() asks for; who has none is
+/// left out. Throws as need_replayed().
 [[nodiscard]] std::vector<double> person_means(Store& store, const std::string& task_id,
                                                const std::vector<int64_t>& people, int last);
 

@@ -166,6 +166,35 @@ TEST_P(Counting, ADemonstrationCountsForNobodyButADemonstrationAccount) {
     EXPECT_TRUE(db::counts(shown(user, "script:expert", {"pilot", shows})));
 }
 
+/// Nobody simulates a demonstration again, so it could say any number of points.
+TEST_P(Counting, ADemonstrationSetsNoMarkForRealPeople) {
+    const int64_t dora =
+        store->accounts().create({"dora", "Dora", "correct horse battery", 1, true});
+    const auto means = [&] { return db::person_means(*store, "diathermy_ring", {user, dora}, 5); };
+    db::AttemptResult shown = passed("2026-01-02T03:00:00.000Z", {machine(1, 60)});
+    shown.header.demonstration = true;
+    shown.score.points = 3;
+    (void)save_recorded(*store, dora, shown, folder.path().string());
+    store->attempts().set_replay(save("2026-01-03T03:00:00.000Z", {machine(1, 60)}),
+                                 db::ReplayState::kIdentical);
+    EXPECT_EQ(means(), std::vector<double>{90}) << "one function says whose and which";
+    ASSERT_EQ(store->attempts().recent_means("diathermy_ring", 5).size(), 1u);
+    EXPECT_EQ(store->attempts().recent_means("diathermy_ring", 5)[0].user_id, user);
+    auto levels = db::level_attempts(*store, "diathermy_ring", {{"expert", {user, dora}}});
+    EXPECT_EQ(levels[0].by_person.size(), 2u) << "a norm pack says that it demonstrates";
+    db::leave_demonstrations_out(*store, levels);
+    EXPECT_EQ(levels[0].by_person.size(), 1u);
+    EXPECT_NO_THROW(db::need_proof(levels));
+    (void)save("2026-01-04T03:00:00.000Z", {machine(1, 60)});
+    EXPECT_THAT(failure_of([&] { (void)means(); }).what(), HasSubstr("1 of 2 attempts were never"));
+    levels = db::level_attempts(*store, "diathermy_ring", {{"expert", {user}}});
+    EXPECT_THAT(failure_of([&] { db::need_proof(levels); }).what(),
+                HasSubstr("1 of 2 attempts were never"));
+    // A store that is there to be looked at.
+    ASSERT_TRUE(raw().run("UPDATE accounts SET demonstration = 1"));
+    EXPECT_EQ(db::person_means(*store, "diathermy_ring", {dora}, 5), std::vector<double>{3});
+}
+
 TEST_P(Counting, ATunedAttemptCountsNowhereAndNoMachineIsAtFault) {
     sim::Event tuned;
     tuned.kind = sim::EventKind::kTuned;

@@ -274,6 +274,9 @@ TEST_F(TrainingPrograms, StandardsAreSetFromGroupsAndExchangedSigned) {
     EXPECT_THAT(as("ewa", make + "--centre Here --least 6").err, HasSubstr("has 5 persons"));
     EXPECT_THAT(as("ewa", make + "--centre Here").err,
                 HasSubstr("20 of 20 attempts were never simulated again"));
+    EXPECT_THAT(as("ewa", "norms standard diathermy_ring --novices N --experts E").err,
+                HasSubstr("20 of 20 attempts were never simulated again"))
+        << "a mark asks for the same";
     {
         const auto direct = db::open_store("sqlite:" + store, cheap());
         for (const auto& each : direct->attempts().list(0))

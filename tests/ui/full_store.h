@@ -51,7 +51,9 @@ inline void FullStore::addAttempt(int64_t user, int number, double points,
     result.header.task_id = task;
     result.header.task_version = 1;
     result.header.device = "mouse";
-    result.header.demonstration = true;
+    // Others are judged by novices and experts, who are added before the trainee is known.
+    const bool judges = trainee_ == 0;
+    result.header.demonstration = !judges;
     result.header.started_utc = QString("2026-03-%1T10:%2:00Z")
                                     .arg(number + 1, 2, 10, QChar('0'))
                                     .arg(user % 60, 2, 10, QChar('0'))
@@ -73,7 +75,8 @@ inline void FullStore::addAttempt(int64_t user, int number, double points,
     // One attempt only: the same recording a second time proves nothing.
     if (user == trainee_ && number == kAttempts - 1)
         result.recording_file = recording_.toStdString();
-    (void)store().attempts().save(user, result);
+    const int64_t id = store().attempts().save(user, result);
+    if (judges) store().attempts().set_replay(id, db::ReplayState::kIdentical);
 }
 
 inline void FullStore::addNorms(const std::vector<int64_t>& novices,

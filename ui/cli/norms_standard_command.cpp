@@ -23,6 +23,9 @@ TwoLevels two_levels(Session& session, const PassMarkOptions& options) {
     auto levels = db::level_attempts(session.store(), options.task,
                                      {{"expert", find_group(session, options.experts).members},
                                       {"novice", find_group(session, options.novices).members}});
+    // A mark is a mark, whichever command computes it: as of db/standards.h.
+    db::leave_demonstrations_out(session.store(), levels);
+    as_input([&] { db::need_proof(levels); });
     return {std::move(levels[1]), std::move(levels[0])};
 }
 

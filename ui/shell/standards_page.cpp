@@ -145,8 +145,9 @@ class StandardsPage : public Page {
     }
 
     void save() {
-        std::vector<int64_t> people = persons(1);
-        for (const int64_t each : persons(2)) people.push_back(each);
+        std::vector<int64_t> people;
+        for (const Operator& one : operators_)
+            if (groups_.value(one.key).toInt() != 0) people.push_back(one.recent.user_id);
         const bool proved = context_.guard(tr("Setting the standard"), [&] {
             db::need_replayed(context_.store(), task(), people, kLastAttempts);
         });
