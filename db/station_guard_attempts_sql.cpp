@@ -13,9 +13,9 @@ static_assert(static_cast<int>(ReplayState::kNotReplayed) == 0 &&
               static_cast<int>(ReplayState::kWaiting) == 1 &&
               static_cast<int>(sim::EndReason::kInterrupted) == 4);
 
-// A change is that of a coordinator who makes an attempt a participant's (db/studies_steps.cpp), or
-// what a replay found. Parts are of the transaction that adds the attempt: `need_part` in
-// db/station_guard_reading_sql.cpp.
+// A change is that of a coordinator who makes an own attempt a participant's
+// (db/studies_steps.cpp), or what a replay found. Parts are of the transaction that adds the
+// attempt: `need_part` in db/station_guard_reading_sql.cpp.
 const char* const kGuardAttempts = R"sql(
 CREATE OR REPLACE FUNCTION placode_guard.verifies(of_account BIGINT, of_study TEXT) RETURNS BOOLEAN
 LANGUAGE plpgsql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
@@ -53,7 +53,8 @@ BEGIN
     PERFORM placode_guard.insist(CASE
         WHEN NEW.study = OLD.study AND NEW.participant = OLD.participant
             THEN placode_guard.verifies(OLD.account_id, OLD.study)
-        ELSE OLD.study = '' AND placode_guard.has_role(4) AND NEW.replayed_utc = OLD.replayed_utc
+        ELSE OLD.study = '' AND OLD.exam_course = '' AND OLD.account_id = placode_guard.me()
+            AND placode_guard.has_role(4) AND NEW.replayed_utc = OLD.replayed_utc
             AND starts_with(NEW.void_reason, OLD.void_reason)
             AND NEW.replay = CASE WHEN OLD.replay = 0 THEN waits ELSE OLD.replay END END);
     RETURN NEW;

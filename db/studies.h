@@ -31,7 +31,8 @@ class Studies {
 
     // studies_steps.cpp
     /// Throws kRefused for who has withdrawn, and where consent is needed and missing. An attempt
-    /// that the step names belongs to the participant from then on.
+    /// that the step names belongs to the participant from then on; kRefused where it was neither
+    /// made for the participant nor recorded for a study by who acts, or is of another task.
     int64_t record_step(const StepRecord& step);
     [[nodiscard]] std::vector<StepRecord> steps(const std::string& study_id);
 

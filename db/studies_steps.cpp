@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps of a protocol, as they are done.
 
+#include <QTemporaryDir>
 #include <algorithm>
 #include <array>
 
+#include "curriculum/study.h"
+#include "db/attempts.h"
+#include "db/recording_file.h"
 #include "db/store_context.h"
 #include "db/studies.h"
 #include "db/void_reason.h"
@@ -45,6 +49,63 @@ bool adopt(Connection& connection, const StepRecord& step) {
     return recorded;
 }
 
+/// The task that the participant's protocol asks for in this step; "" where it asks for none.
+std::string asked_task(StoreContext& context, const StepRecord& step) {
+    Statement query(context.connection,
+                    "SELECT protocol_version FROM participant_states WHERE study_id = ? AND code = "
+                    "?");
+    const int version =
+        query.run(step.study_id, step.participant).next() ? static_cast<int>(query.integer(0)) : 0;
+    (void)query.next();  // its end, before the next question
+    if (version == 0) return {};
+    const auto published = context.find_definition("study", step.study_id, version);
+    if (!published) return {};
+    const auto protocol = curriculum::load_study_text(published->json, "study " + step.study_id);
+    const curriculum::StudyStep* asked = protocol.step(step.step);
+    return asked == nullptr ? std::string() : asked->task;
+}
+
+/// Whether it says itself that it was begun for a study. Without a recording it counts for nothing.
+bool recorded_for_a_study(StoreContext& context, int64_t attempt_id) {
+    Statement there(context.connection, "SELECT 1 FROM recordings WHERE attempt_id = ?");
+    if (!there.run(attempt_id).next()) return true;
+    (void)there.next();
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("attempt.placode").toStdString();
+    Attempts(context).extract_recording(attempt_id, path);
+    return recording_summary(path).header.mode == "study";
+}
+
+/// An attempt that was saved as a person's becomes the participant's only where it was made for a
+/// study, by who records the step: anything else is somebody's training or exam, and would go with
+/// the participant's data. Programs without an account work for whoever has the store.
+void need_work_for_study(StoreContext& context, const StepRecord& step) {
+    context.need_sight_of_attempt(step.attempt_id);
+    Connection& connection = context.connection;
+    Statement query(connection,
+                    "SELECT account_id, task_id, exam_course FROM attempts WHERE id = ? AND study "
+                    "= ''");
+    if (!query.run(step.attempt_id).next()) return;
+    const int64_t owner = query.integer("account_id");
+    const std::string task = query.text("task_id"), exam = query.text("exam_course");
+    (void)query.next();  // its end, before the next question
+    const bool own = context.actor.kind == Actor::Kind::kProgram || context.is_self(owner);
+    const std::string doing = "record the step \"" + step.step + "\" in";
+    if (!own || !exam.empty() || !recorded_for_a_study(context, step.attempt_id)) {
+        connection.begin_operation(doing);
+        connection.fail(Kind::kRefused,
+                        Said::that("attempt %1 was not recorded for a study under your account")
+                            .with(step.attempt_id));
+    }
+    connection.begin_operation(doing);
+    if (const std::string asked = asked_task(context, step); !asked.empty() && asked != task)
+        connection.fail(Kind::kRefused,
+                        Said::that("attempt %1 is of the task \"%2\"; this step asks for \"%3\"")
+                            .with(step.attempt_id)
+                            .with(task)
+                            .with(asked));
+}
+
 }  // namespace
 
 int64_t Studies::insert_step(StepRecord step) {
@@ -78,6 +139,8 @@ int64_t Studies::record_step(const StepRecord& step) {
     connection_.begin_operation("record the step \"" + step.step + "\" in");
     context_.need(Action::kRunQuestionnaire);
     if (step.step.empty()) connection_.fail(Kind::kRefused, Said::that("the step has no id"));
+    if (step.attempt_id != 0 && context_.owner_of_attempt(step.attempt_id))
+        need_work_for_study(context_, step);
     UnitOfWork work(connection_);
     context_.need_active_participant(step.study_id, step.participant, step.step);
     Statement owner(connection_, "SELECT study, participant FROM attempts WHERE id = ?");

@@ -22,11 +22,9 @@ constexpr std::array<const char*, 3> kModes{"keep", "stop", "erase"};
 void Studies::erase_participant(const std::string& study_id, const std::string& code) {
     std::vector<int64_t> attempts;
     {
-        Statement query(connection_,
-                        "SELECT DISTINCT attempt_id FROM study_steps WHERE study_id = ? AND code = "
-                        "? AND attempt_id > 0 UNION SELECT id FROM attempts WHERE study = ? AND "
-                        "participant = ?");
-        query.run(study_id, code, study_id, code);
+        // Whatever a step names: what is not the participant's stays whose it is.
+        Statement query(connection_, "SELECT id FROM attempts WHERE study = ? AND participant = ?");
+        query.run(study_id, code);
         while (query.next()) attempts.push_back(query.integer(0));
     }
     for (const int64_t id : attempts) context_.delete_attempt(id);

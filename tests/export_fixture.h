@@ -106,6 +106,7 @@ class Export : public testing::Test {
         sim::RecordingHeader header;
         header.task_id = "diathermy_ring";
         header.task_json = "{}";
+        header.mode = "study";
         header.tools.resize(2);
         header.tools[1].kind = sim::ToolKind::kScope;
         sink->begin(header);

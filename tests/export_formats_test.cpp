@@ -329,6 +329,7 @@ TEST_F(Export, AProcedureThatWasEndedTooEarlyIsFinishedInNoFormat) {
         db::AttemptResult early;
         early.header.task_id = "diathermy_ring";
         early.header.started_utc = "2026-11-21T11:05:00.000Z";
+        early.header.mode = "study";
         early.score.verdict = verdict;
         early.end = {sim::EndReason::kFinished, 2.5, 7, 0};
         db::StepRecord step;

@@ -156,7 +156,7 @@ TEST_F(Programs, AProcedureOfAStudyIsJudgedRepeatedAndNotedOnTheCommandLine) {
     for (const char* number : {"1", "2"}) {
         const std::string name = std::string(number) + ".placode";
         ASSERT_EQ(run("placode-sim",
-                      "--task diathermy_ring_small --headless --fast --duration 0.3 --study "
+                      "--task diathermy_ring --headless --fast --duration 0.3 --study "
                       "--aids '' --device script:expert --record " +
                           name)
                       .status,

@@ -36,8 +36,9 @@ struct FullStore {
         grant.reason = "power cut";
         store.courses().grant_attempts(grant);
         store.accounts().request_erasure(anna, "moves away");
-        fillStudy(store, save_recorded(store, bert, make_result("scissors_resection"),
-                                       folder.path().string()));
+        db::AttemptResult of_study = make_result("scissors_resection");
+        of_study.header.mode = "study";
+        fillStudy(store, save_recorded(store, bert, of_study, folder.path().string()));
     }
 
  private:

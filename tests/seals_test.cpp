@@ -512,6 +512,7 @@ TEST_P(SealsTest, WhatAReasonMeansIsSealedWithIt) {
     using db::Said;
     store->act_as("bert");
     db::AttemptResult result = make_result("touch_targets");
+    result.header.mode = "study";
     result.not_verified = {{db::VoidCause::kUnsound, 0, 0,
                             Said::that("sample %1 has a tip that lies nowhere").with(12)}};
     const int64_t id = save_recorded(*store, anna, result, folder.path().string());

@@ -105,6 +105,7 @@ class StudyReportTest : public testing::Test {
                 db::AttemptResult result;
                 result.header.task_id = "diathermy_ring";
                 result.header.started_utc = "2026-11-21T10:0" + std::to_string(trial) + ":00.000Z";
+                result.header.mode = "study";
                 result.header.demonstration = true;
                 result.end.duration_s = 90;
                 result.score.points = 40 + 15 * trial + static_cast<double>(p);

@@ -67,6 +67,7 @@ class StudyStore : public EngineTest {
         db::AttemptResult result;
         result.header.task_id = "diathermy_ring";
         result.header.started_utc = started_utc;
+        result.header.mode = "study";
         result.end.reason = sim::EndReason::kFinished;
         result.metrics.values = {{"path_length_mm", 1}};
         return result;
@@ -178,6 +179,7 @@ TEST_P(StudyStore, WithdrawalStopsKeepsOrErasesAndTheTombstoneStays) {
     db::AttemptResult attempt;
     attempt.header.task_id = "diathermy_ring";
     attempt.header.started_utc = "2026-01-02T03:04:05.000Z";
+    attempt.header.mode = "study";
     attempt.metrics.values = {{"path_length_mm", 1}};
     auto run = step(codes[2], "run");
     run.attempt_id = save_recorded(*store, store->accounts().find_login("anna")->id, attempt,
@@ -414,6 +416,56 @@ TEST_P(StudyStore, AnAttemptThatIsTooShortOrVoidDoesNotDoTheStep) {
     again.attempt_id = good;
     db::record_attempt_step(*store, again);
     EXPECT_EQ(store->studies().steps("pilot").size(), 6u);
+}
+
+TEST_P(StudyStore, AStepTakesOverOnlyWhatItsCoordinatorRecordedForAStudy) {
+    store->definitions().publish(study(1));
+    // Sees every attempt, as an educator does.
+    const int64_t carl =
+        store->accounts().create({"carl", "Carl", "correct horse battery", 2 | 4, false});
+    const int64_t anna =
+        store->accounts().create({"anna", "Anna", "correct horse battery", 1, false});
+    const std::string code = store->studies().new_participant("pilot");
+    store->studies().record_step(step(code, "consent"));
+    const auto saved = [&](int64_t whose, const std::string& mode,
+                           const std::string& task = "diathermy_ring") {
+        auto result = attempt("2026-01-02T03:04:05.000Z");
+        result.header.mode = mode;
+        result.header.task_id = task;
+        return save_recorded(*store, whose, result, folder.path().string());
+    };
+    const auto own = is_sqlite() ? open() : open_at_station();  // There the server asks as well.
+    ASSERT_EQ(own->accounts().sign_in("carl", "correct horse battery").outcome,
+              db::SignInOutcome::kOk);
+    const auto named = [&](int64_t id) {
+        auto run = step(code, "run");
+        run.attempt_id = id;
+        return run;
+    };
+    const auto refused = [&](int64_t id) {
+        return std::string(failure_of([&] { own->studies().record_step(named(id)); }).what());
+    };
+    const auto not_for_it = HasSubstr("was not recorded for a study under your account");
+    const int64_t annas = saved(anna, "study");
+    EXPECT_THAT(refused(annas), not_for_it);
+    EXPECT_THAT(refused(saved(carl, "practice")), not_for_it);
+    const int64_t exam = saved(carl, "study");
+    ASSERT_TRUE(
+        raw().run("UPDATE attempts SET exam_course = 'c' WHERE id = " + std::to_string(exam)));
+    EXPECT_THAT(refused(exam), not_for_it);
+    EXPECT_THAT(refused(saved(carl, "study", "grasp_and_lift")),
+                HasSubstr("is of the task \"grasp_and_lift\"; this step asks for "
+                          "\"diathermy_ring\""));
+    const int64_t good = saved(carl, "study");
+    own->studies().record_step(named(good));
+    EXPECT_EQ(store->attempts().detail(good).record.user_name, code);
+
+    // A row says what an earlier version took over: it is nobody's but its owner's.
+    ASSERT_TRUE(raw().run("UPDATE study_steps SET attempt_id = " + std::to_string(annas) +
+                          " WHERE step = 'run'"));
+    own->studies().withdraw("pilot", code, WithdrawalMode::kErase, "asked for it");
+    EXPECT_EQ(store->attempts().detail(annas).record.user_id, anna);
+    EXPECT_THROW((void)store->attempts().detail(good), StoreError);
 }
 
 TEST_P(StudyStore, ASkippedStepIsOverAndNotDone) {

@@ -11200,6 +11200,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>somebody for a demonstration (%1)</source>
         <translation>ktoś w ramach pokazu (%1)</translation>
     </message>
+    <message>
+        <source>attempt %1 was not recorded for a study under your account</source>
+        <translation>próby %1 nie nagrano dla badania na twoim koncie</translation>
+    </message>
+    <message>
+        <source>attempt %1 is of the task &quot;%2&quot;; this step asks for &quot;%3&quot;</source>
+        <translation>próba %1 dotyczy zadania „%2”; ten krok wymaga zadania „%3”</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::Details</name>
