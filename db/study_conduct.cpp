@@ -253,8 +253,18 @@ std::vector<Progress> study_progress(Store& store, const std::string& study_id) 
 }
 
 void record_attempt_step(Store& store, StepRecord step) {
-    for (const StepRecord& each : store.studies().steps(step.study_id))
-        if (each.attempt_id == step.attempt_id) return;
+    for (const StepRecord& each : store.studies().steps(step.study_id)) {
+        if (each.attempt_id != step.attempt_id) continue;
+        if (each.participant == step.participant && each.visit == step.visit &&
+            each.step == step.step)
+            return;
+        throw StoreError(StoreError::Kind::kConflict, "record the step \"" + step.step + "\": ",
+                         Said::that("attempt %1 does the step \"%2\" of visit %3 of %4 already")
+                             .with(step.attempt_id)
+                             .with(each.step)
+                             .with(each.visit)
+                             .with(each.participant));
+    }
     const AttemptRecord attempt = store.attempts().detail(step.attempt_id).record;
     const auto asked = asked_step(store, step);
     NotDone why = why_not_done(attempt, asked);

@@ -40,8 +40,9 @@ inline constexpr std::string_view kNothingDone = "nothing was done";
 
 /// Marks the step as done by an attempt that is in the store; one that was broken off, was shorter
 /// than the protocol asks, or is void is noted with the reason, and the step stays open. One in
-/// which nothing was done is kept as done, with kNothingDone as its detail. Does
-/// nothing for an attempt that a step names already. Throws as Studies::record_step().
+/// which nothing was done is kept as done, with kNothingDone as its detail. Does nothing where this
+/// step names the attempt already; throws kConflict where another one does, or as
+/// Studies::record_step().
 /// @param step without state and detail.
 void record_attempt_step(Store& store, StepRecord step);
 

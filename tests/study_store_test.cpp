@@ -416,6 +416,19 @@ TEST_P(StudyStore, AnAttemptThatIsTooShortOrVoidDoesNotDoTheStep) {
     again.attempt_id = good;
     db::record_attempt_step(*store, again);
     EXPECT_EQ(store->studies().steps("pilot").size(), 6u);
+
+    // What was typed for another one is not taken for done.
+    const std::string other = store->studies().new_participant("pilot");
+    store->studies().record_step(step(other, "consent"));
+    auto theirs = step(other, "run"), later = again, elsewhere = step(code, "briefing");
+    theirs.attempt_id = elsewhere.attempt_id = good;
+    later.visit = 2;
+    for (const db::StepRecord& each : {theirs, later, elsewhere}) {
+        const auto conflict = failure_of([&] { db::record_attempt_step(*store, each); });
+        EXPECT_EQ(conflict.kind(), StoreError::Kind::kConflict);
+        EXPECT_THAT(conflict.what(), HasSubstr("does the step \"run\" of visit 1 of " + code));
+    }
+    EXPECT_EQ(store->studies().steps("pilot").size(), 7u);
 }
 
 TEST_P(StudyStore, AStepTakesOverOnlyWhatItsCoordinatorRecordedForAStudy) {

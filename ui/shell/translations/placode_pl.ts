@@ -11208,6 +11208,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>attempt %1 is of the task &quot;%2&quot;; this step asks for &quot;%3&quot;</source>
         <translation>próba %1 dotyczy zadania „%2”; ten krok wymaga zadania „%3”</translation>
     </message>
+    <message>
+        <source>attempt %1 does the step &quot;%2&quot; of visit %3 of %4 already</source>
+        <translation>próba %1 wykonuje już krok „%2” wizyty %3, uczestnik %4</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::Details</name>
