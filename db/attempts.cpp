@@ -117,6 +117,9 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
     voids.insert(voids.end(), result.not_verified.begin(), result.not_verified.end());
     UnitOfWork work(connection_);
     const UserRecord user = context_.need_owner(user_id);
+    // Nothing more of who has withdrawn, also where it was recorded before.
+    if (!result.study.study.empty())
+        context_.need_active_participant(result.study.study, result.study.participant, {});
     for (VoidReason& doubt : doubts_in_store(context_, user, result, checksum))
         voids.push_back(std::move(doubt));
     ExamCheck exam = check_exam(context_, user, result);

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "db/foreign_store.h"
+#include "db/recording_file.h"
 #include "db/sql_connection.h"
 #include "db/sqlite_file.h"
 #include "db/station.h"
@@ -114,11 +115,13 @@ void remove_half_made(const std::vector<std::string>& backups, const StoreUrl& u
     if (is_file(url)) remove_sqlite_file(url.path + kRestoringSuffix);
 }
 
+fs::path beside(const StoreUrl& url) { return fs::absolute(url.path).parent_path() / "recordings"; }
+
 /// Recordings beside an embedded store that a crash has left: with a file that says whose they are.
 void remove_leftovers(const StoreUrl& url, const UserRecord& user, Erasure& done) {
     if (!is_file(url)) return;
     std::error_code none;
-    const fs::path folder = fs::absolute(url.path).parent_path() / "recordings";
+    const fs::path folder = beside(url);
     for (const auto& entry : fs::directory_iterator(folder, none)) {
         const std::string order = entry.path().string();
         const size_t length = order.size() - std::min(order.size(), kOrderSuffix.size());
@@ -150,6 +153,34 @@ std::string lines_of(const char* head, const std::vector<std::string>& lines) {
 }
 
 }  // namespace
+
+std::string recordings_beside(const std::string& url) {
+    if (!url.starts_with("sqlite:")) return {};
+    const StoreUrl parsed = parse_store_url(url);
+    return is_file(parsed) ? beside(parsed).string() : std::string();
+}
+
+std::vector<std::string> unsaved_recordings(const std::string& folder, const StudyContext& whose,
+                                            Unsaved what) {
+    std::vector<std::string> found;
+    if (folder.empty()) return found;
+    for (const std::string& recording : leftover_recordings(folder)) {
+        const std::string order = recording + std::string(kOrderSuffix);
+        QFile file(QString::fromStdString(order));
+        if (!file.open(QIODevice::ReadOnly)) continue;
+        const QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
+        file.close();
+        if (json["study"].toString().toStdString() != whose.study ||
+            json["participant"].toString().toStdString() != whose.participant)
+            continue;
+        found.push_back(recording);
+        if (what == Unsaved::kName) continue;
+        remove_sqlite_file(recording);
+        std::error_code none;
+        fs::remove(order, none);
+    }
+    return found;
+}
 
 std::vector<std::string> copies_of(Store& store, const std::string& url) {
     return copies_among(backups_of(store), parse_store_url(url));

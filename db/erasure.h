@@ -37,6 +37,17 @@ struct Erasure {
 /// its trail names. Of a server: none.
 [[nodiscard]] std::vector<std::string> copies_of(Store& store, const std::string& url);
 
+/// Where an embedded store's recordings lie until they are saved; "" of a server, where each
+/// computer has a folder of its own.
+[[nodiscard]] std::string recordings_beside(const std::string& url);
+
+enum class Unsaved : uint8_t { kName, kRemove };
+/// Recordings in that folder which a crash left of a participant: nothing more is saved of who has
+/// withdrawn. kRemove: they go, with the files that say whose they are. One that is being written
+/// is left out.
+std::vector<std::string> unsaved_recordings(const std::string& folder, const StudyContext& whose,
+                                            Unsaved what);
+
 /// As Accounts::erase(), which it throws as; then the copies, where nothing throws any more.
 /// @param url of the store, as it was opened.
 Erasure erase_person(Store& store, const std::string& url, int64_t user_id, bool with_attempts);

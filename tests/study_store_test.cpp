@@ -5,7 +5,11 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "curriculum/study.h"
+#include "db/erasure.h"
 #include "db/store.h"
 #include "db/study_conduct.h"
 #include "db/study_records.h"
@@ -479,6 +483,46 @@ TEST_P(StudyStore, AStepTakesOverOnlyWhatItsCoordinatorRecordedForAStudy) {
     own->studies().withdraw("pilot", code, WithdrawalMode::kErase, "asked for it");
     EXPECT_EQ(store->attempts().detail(annas).record.user_id, anna);
     EXPECT_THROW((void)store->attempts().detail(good), StoreError);
+}
+
+TEST_P(StudyStore, NothingMoreIsSavedOfWhoHasWithdrawn) {
+    store->definitions().publish(study(1));
+    const int64_t carl =
+        store->accounts().create({"carl", "Carl", "correct horse battery", 4, false});
+    const std::string code = store->studies().new_participant("pilot");
+    auto of_study = attempt("2026-01-02T03:04:05.000Z");
+    of_study.study = {"pilot", code};
+    const auto refused = [&] {
+        return std::string(
+            failure_of([&] { (void)store->attempts().save(carl, of_study); }).what());
+    };
+    EXPECT_THAT(refused(), HasSubstr("has not consented"));
+    store->studies().record_step(step(code, "consent"));
+    store->studies().withdraw("pilot", code, WithdrawalMode::kStop, "not given");
+    EXPECT_THAT(refused(), HasSubstr("has withdrawn"));
+    EXPECT_TRUE(store->attempts().list(0).empty());
+}
+
+TEST_P(StudyStore, WhatACrashLeftOfWhoHasWithdrawnIsNamedOrRemoved) {
+    const std::string place = folder.file("recordings");
+    std::filesystem::create_directory(place);
+    const auto leave = [&](const std::string& name, const std::string& code) {
+        auto result = attempt("2026-01-02T03:04:05.000Z");
+        record_to(place + "/" + name + ".placode", result);
+        std::ofstream(place + "/" + name + ".placode.order.json")
+            << R"({"user_id": 1, "study": "pilot", "participant": ")" << code << "\"}";
+    };
+    leave("a", "P001-X");
+    leave("b", "P002-X");
+    const std::vector<std::string> theirs{place + "/a.placode"};
+    EXPECT_EQ(db::unsaved_recordings(place, {"pilot", "P001-X"}, db::Unsaved::kName), theirs);
+    EXPECT_TRUE(std::filesystem::exists(theirs[0]));
+    EXPECT_EQ(db::unsaved_recordings(place, {"pilot", "P001-X"}, db::Unsaved::kRemove), theirs);
+    EXPECT_FALSE(std::filesystem::exists(theirs[0]));
+    EXPECT_FALSE(std::filesystem::exists(theirs[0] + ".order.json"));
+    EXPECT_TRUE(std::filesystem::exists(place + "/b.placode"));
+    EXPECT_EQ(db::recordings_beside("sqlite:" + folder.file("placode.db")), place);
+    EXPECT_EQ(db::recordings_beside("postgresql://a@b/c"), "") << "each computer has its own";
 }
 
 TEST_P(StudyStore, ASkippedStepIsOverAndNotDone) {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "curriculum/study.h"
+#include "db/erasure.h"
 #include "db/participant.h"
 #include "db/study_conduct.h"
 #include "sim/core/near_word.h"
@@ -139,8 +140,18 @@ int withdraw(const Context& context, const StudyOptions& options) {
         session.store().studies().withdraw(options.id, need_code(options.code), mode,
                                            options.reason);
     });
-    print(context, {{"participant", options.code}, {"mode", options.mode}},
-          options.code + " has withdrawn (" + options.mode + "); code and withdrawal stay");
+    const bool erases = mode == db::WithdrawalMode::kErase;
+    const auto unsaved = db::unsaved_recordings(db::recordings_beside(session.store().url()),
+                                                {options.id, options.code},
+                                                erases ? db::Unsaved::kRemove : db::Unsaved::kName);
+    std::string text =
+        options.code + " has withdrawn (" + options.mode + "); code and withdrawal stay";
+    for (const std::string& each : unsaved)
+        text += "\n" + each +
+                (erases ? " had not been saved and is removed"
+                        : " was not saved and cannot be any more; delete it");
+    print(context, {{"participant", options.code}, {"mode", options.mode}, {"unsaved", unsaved}},
+          text);
     return 0;
 }
 

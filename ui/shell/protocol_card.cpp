@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "curriculum/study.h"
+#include "db/erasure.h"
 #include "db/study_conduct.h"
 #include "ui/shell/device_tester.h"
 #include "ui/shell/parts.h"
@@ -275,6 +276,9 @@ class ProtocolCard : public QFrame {
             context_.require(db::Action::kRunQuestionnaire);
             context_.store().studies().withdraw(study_, code, mode,
                                                 reason_->text().trimmed().toStdString());
+            if (mode == db::WithdrawalMode::kErase)
+                (void)db::unsaved_recordings(context_.recordingsFolder().toStdString(),
+                                             {study_, code}, db::Unsaved::kRemove);
             again();
         });
     }
