@@ -15,9 +15,8 @@ using sim::Recording;
 using sim::Said;
 using Problem = std::optional<Said>;
 
-constexpr double kLargestM = 10;           ///< No point of a field or hand lies farther off [m].
-constexpr float kLargestForceN = 1e6F;     ///< Far beyond what any solver step gives [N].
-constexpr double kMostDroppedShare = 0.5;  ///< With more lost, nothing is left to judge.
+constexpr double kLargestM = 10;        ///< No point of a field or hand lies farther off [m].
+constexpr float kLargestForceN = 1e6F;  ///< Far beyond what any solver step gives [N].
 
 std::string number(double value) { return sim::rounded_text(value, 6); }
 
@@ -35,8 +34,7 @@ bool all_within(const List& list, double limit) {
 }
 
 bool whole_time(const Recording& r) {
-    return r.end.reason != sim::EndReason::kInterrupted &&
-           r.end.reason != sim::EndReason::kRunning && r.end.dropped == 0;
+    return r.end.reason != sim::EndReason::kInterrupted && r.end.reason != sim::EndReason::kRunning;
 }
 
 Problem head_problem(const Recording& r) {
@@ -54,7 +52,9 @@ Problem head_problem(const Recording& r) {
             .with(number(r.end.duration_s))
             .with(number(kLongestRecordingS));
     const auto frames = static_cast<double>(r.inputs.size());
-    if (r.end.dropped < 0 || static_cast<double>(r.end.dropped) > kMostDroppedShare * frames)
+    // One lost event may be the harm. The rings hold 16 s (curriculum/attempt_recorder.cpp): a disk
+    // that is slow loses nothing, and a fast run waits for it.
+    if (r.end.dropped != 0)
         return Said::that("%1 entries are lost, of %2 inputs")
             .with(r.end.dropped)
             .with(count(r.inputs));
@@ -97,7 +97,7 @@ Problem input_problem(const Recording& r) {
     const auto tools = static_cast<int32_t>(r.header.tools.size());
     int64_t before = -1;
     for (const sim::Input& input : r.inputs) {
-        if (input.frame <= before || (r.end.dropped == 0 && input.frame != before + 1))
+        if (input.frame != before + 1)
             return Said::that("the input of frame %1 follows that of frame %2")
                 .with(input.frame)
                 .with(before);

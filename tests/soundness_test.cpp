@@ -71,6 +71,15 @@ TEST(Soundness, NothingHarmfulIsLessThanNone) {
     }
 }
 
+/// What is lost may be the event that costs the points.
+TEST(Soundness, NothingIsLost) {
+    for (const int64_t lost : {1, 49, 51, -1}) {
+        auto r = sound();
+        r.end.dropped = lost;
+        EXPECT_EQ(problem(r), std::to_string(lost) + " entries are lost, of 100 inputs");
+    }
+}
+
 TEST(Soundness, AListIsAsLongAsItsHeadTells) {
     for (const EventKind kind : {EventKind::kSlitGap, EventKind::kPatchEdge, EventKind::kRingGap,
                                  EventKind::kThermalSpread}) {

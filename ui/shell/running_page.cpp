@@ -267,7 +267,9 @@ class RunningPage : public Page {
         if (mode() == curriculum::AttemptMode::kPractice && !live.warning.isEmpty())
             warnings << live.warning;
         if (live.too_slow) warnings << tr("This computer is too slow: the attempt will not count.");
-        if (live.dropped > 0) warnings << tr("The recording lost entries: %1.").arg(live.dropped);
+        if (live.dropped > 0)
+            warnings << tr("The recording lost entries: %1. The attempt will not count.")
+                            .arg(live.dropped);
         warning_->setText(warnings.join(" "));
         warning_->setVisible(!warnings.isEmpty());
         const bool running = launcher.running();

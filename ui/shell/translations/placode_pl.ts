@@ -5300,8 +5300,8 @@
         <translation>Otwiera się okno fetoskopu.</translation>
     </message>
     <message>
-        <source>The recording lost entries: %1.</source>
-        <translation>Nagranie straciło wpisy: %1.</translation>
+        <source>The recording lost entries: %1. The attempt will not count.</source>
+        <translation>Nagranie straciło wpisy: %1. Próba nie będzie się liczyć.</translation>
     </message>
     <message>
         <source>Exam</source>
