@@ -36,13 +36,16 @@ StageProgress stage_progress(const Course& course, const CourseStage& stage,
     StageProgress progress;
     progress.status = StageStatus::kOpen;
     std::string last_met_utc;
-    int outcomes_seen = 0;
+    int outcomes_seen = 0, given_back = 0;
     if (!stage.exam.seeds.empty()) progress.next_seed = stage.exam.seeds.front();
     for (const AttemptOutcome& outcome : outcomes) {
         if (is_exam_of(course, stage, outcome)) {
             // Its case was seen, even where the machine spoilt the attempt.
             progress.next_seed = seed_after(stage.exam.seeds, outcome.seed);
-            if (outcome.interrupted && !outcome.voided) {
+            // A computer can be made slow: once is a mishap, and of more an educator judges, who
+            // may grant another attempt.
+            const bool spoilt = outcome.voided && given_back++ > 0;
+            if (spoilt || (outcome.interrupted && !outcome.voided)) {
                 // Whoever could leave an exam that goes badly could try as often as he likes.
                 ++progress.attempts;
                 if (outcome.unfinished) ++progress.unfinished;

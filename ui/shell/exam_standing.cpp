@@ -5,6 +5,8 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QStringList>
+#include <algorithm>
+#include <utility>
 
 #include "db/attempt_counting.h"
 #include "db/course_conduct.h"
@@ -20,10 +22,22 @@ struct ExamStandingWords {
     Q_DECLARE_TR_FUNCTIONS(ExamStandingWords)
 };
 
+/// Whether the machine spoilt one of this exam before: the first one is given back by itself.
+bool given_back_before(AppContext& context, const db::AttemptRecord& attempt) {
+    const auto all = context.store().attempts().list(attempt.user_id, attempt.task_id);
+    return std::any_of(all.begin(), all.end(), [&](const db::AttemptRecord& each) {
+        return each.exam.course_id == attempt.exam.course_id &&
+               each.exam.stage_id == attempt.exam.stage_id &&
+               std::pair(each.started_utc, each.id) < std::pair(attempt.started_utc, attempt.id) &&
+               db::outcomes_of({each}).front().voided;
+    });
+}
+
 /// Left and idle attempts as well: the case was seen.
-bool uses_up(const curriculum::Course& course, const curriculum::CourseStage& stage,
-             const db::AttemptRecord& attempt) {
+bool uses_up(AppContext& context, const curriculum::Course& course,
+             const curriculum::CourseStage& stage, const db::AttemptRecord& attempt) {
     curriculum::AttemptOutcome outcome = db::outcomes_of({attempt}).front();
+    if (outcome.voided) outcome.voided = !given_back_before(context, attempt);
     outcome.interrupted = false;
     return curriculum::counts_for(course, stage, outcome);
 }
@@ -82,7 +96,7 @@ ExamStanding exam_standing(AppContext& context, const db::AttemptRecord& attempt
     if (stage == nullptr) return found;
     const auto& own =
         standing->progress.stages[static_cast<size_t>(stage - standing->course.stages.data())];
-    found.used = uses_up(standing->course, *stage, attempt);
+    found.used = uses_up(context, standing->course, *stage, attempt);
     found.words = used_words(own, found.used) + " " + next_words(context, *standing, *stage, own);
     if (db::counts(attempt))
         found.words.prepend(ExamStandingWords::tr("The attempt counts.") + " ");
