@@ -23,6 +23,13 @@ std::string composed(const std::string& password) {
     return QString::fromStdString(password).normalized(QString::NormalizationForm_C).toStdString();
 }
 
+// Whoever chose "3" or "user 3" would be taken for the account with that number: by commands, which
+// take either, and in the trail, which keeps numbers only.
+bool reads_as_number(const std::string& key) {
+    static const std::regex form(R"((user )?[-+]?[0-9]+)");
+    return std::regex_match(key, form);
+}
+
 }  // namespace
 
 void need_sodium() {
@@ -60,7 +67,10 @@ std::optional<Said> name_problem(const std::string& name) {
 }
 
 std::optional<Said> login_problem(const std::string& login) {
-    if (login_key(login).empty()) return Said::that("the login is empty");
+    const std::string key = login_key(login);
+    if (key.empty()) return Said::that("the login is empty");
+    if (reads_as_number(key))
+        return Said::that("the login reads as the number of an account; put a letter before it");
     if (QString::fromStdString(login).toUcs4().size() > kMostNameLength)
         return Said::that("the login is longer than %1 characters").with(kMostNameLength);
     return std::nullopt;

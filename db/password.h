@@ -40,7 +40,7 @@ void need_sodium();
 /// What is wrong with the name of a person or a group, or nothing: where a name is shown there is
 /// room for a line, and whoever pastes a book into the field means something else.
 [[nodiscard]] std::optional<Said> name_problem(const std::string& name);
-/// The same for a login.
+/// The same for a login, which must not read as the number of an account either.
 [[nodiscard]] std::optional<Said> login_problem(const std::string& login);
 /// Under which wrong passwords are counted: a checksum, because people type names that are gone, or
 /// a password, into the field of the log-in.

@@ -53,9 +53,17 @@ void check_head(const RowCells& head, const std::string& origin) {
 }
 
 int64_t group_of(db::Store& store, const std::string& name) {
-    for (const db::GroupRecord& group : store.groups().list())
-        if (group.name == name || std::to_string(group.id) == name) return group.id;
-    throw PeopleFileError("there is no group \"" + name + "\" in " + store.url());
+    int64_t found = 0;
+    for (const db::GroupRecord& group : store.groups().list()) {
+        if (group.name != name && std::to_string(group.id) != name) continue;
+        if (found != 0)
+            throw PeopleFileError("\"" + name +
+                                  "\" is the name of one group and the number of another; give the "
+                                  "number of the one or the name of the other");
+        found = group.id;
+    }
+    if (found == 0) throw PeopleFileError("there is no group \"" + name + "\" in " + store.url());
+    return found;
 }
 
 PersonLine read_line(db::Store& store, const RowCells& head, const RowCells& row,

@@ -69,6 +69,19 @@ TEST_P(StoreTest, LoginsAreUniqueWithoutCase) {
     EXPECT_EQ(store->accounts().list().size(), 1u);
 }
 
+TEST_P(StoreTest, ALoginIsNoNumberOfAnAccount) {
+    const auto store = open();
+    // As typed, in wide digits, with spaces that a key leaves out, and as the trail writes it.
+    for (const char* login : {"1", "12345", " 3 ", "-3", "\xef\xbc\x93", "user 3", "User 3"}) {
+        const auto error = failure_of([&] { store->accounts().create(trainee(login)); });
+        EXPECT_EQ(error.kind(), StoreError::Kind::kRefused) << login;
+        EXPECT_THAT(error.what(), HasSubstr("reads as the number of an account")) << login;
+    }
+    EXPECT_TRUE(store->accounts().list().empty());
+    for (const char* login : {"s3", "3a", "user", "user3", "3.b"})
+        EXPECT_NO_THROW(store->accounts().create(trainee(login))) << login;
+}
+
 TEST_P(StoreTest, WeakPasswordsAreRefused) {
     const auto store = open();
     for (const auto& [login, password] :

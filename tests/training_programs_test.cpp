@@ -362,6 +362,34 @@ TEST_F(TrainingPrograms, JudgesMaySetTheStandard) {
     EXPECT_EQ(as("ewa", "standard set --task diathermy_ring").status, 2);
 }
 
+TEST_F(TrainingPrograms, ALoginTakesNobodysNumber) {
+    const std::string invited = as("adam", "user invite --until 2099-01-01").out;
+    const std::string code = invited.substr(0, invited.find('\n'));
+    const Outcome chosen =
+        ctl("user accept " + code + " 3", "PLACODE_NEW_PASSWORD='long enough 1'");
+    EXPECT_EQ(chosen.status, 2);
+    EXPECT_THAT(chosen.err, HasSubstr("reads as the number of an account"));
+    // An earlier version let it through: bert (6) has the number of olga (3).
+    add_user("bert", "trainee");
+    ASSERT_TRUE(RawConnection("QSQLITE", store)
+                    .run("UPDATE persons SET login = '3', login_key = '3' WHERE account_id = 6"));
+    const Outcome roles = ctl("user roles 3 --role administrator");
+    EXPECT_EQ(roles.status, 2);
+    EXPECT_THAT(roles.err,
+                HasSubstr("is the login of account 6 and the number of account \"olga\""));
+    EXPECT_EQ(ctl("user roles 6 --role trainee").status, 0) << "the way out";
+    EXPECT_EQ(ctl("user roles olga --role educator").status, 0);
+    // The same of groups: the second one is called as the number of the first.
+    ASSERT_EQ(ctl("group add A").status, 0);
+    ASSERT_EQ(ctl("group add 1").status, 0);
+    const Outcome member = ctl("group member 1 anna");
+    EXPECT_EQ(member.status, 2);
+    EXPECT_THAT(member.err, HasSubstr("the name of one group and the number of another"));
+    EXPECT_EQ(ctl("group member 2 anna").status, 0);
+    write_text(file("people.csv"), "login,name,group,password\njan,Jan,1,long enough 1\n");
+    EXPECT_THAT(ctl("user import people.csv").err, HasSubstr("people.csv:2: \"1\" is the name of"));
+}
+
 TEST_F(TrainingPrograms, PeopleComeFromAFileOrByInvitationAndMayLeave) {
     ASSERT_EQ(ctl("group add A").status, 0);
     write_text(file("bad.csv"), "login,name,roles\njan,Jan,trainee\nanna,Anna,\n");

@@ -43,8 +43,15 @@ db::Roles roles_of(const std::vector<std::string>& names) {
 }
 
 db::GroupRecord find_group(Session& session, const std::string& name_or_id) {
+    std::vector<db::GroupRecord> found;
     for (const db::GroupRecord& group : session.store().groups().list())
-        if (group.name == name_or_id || std::to_string(group.id) == name_or_id) return group;
+        if (group.name == name_or_id || std::to_string(group.id) == name_or_id)
+            found.push_back(group);
+    if (found.size() > 1)
+        throw InputError("group \"" + name_or_id +
+                         "\": is the name of one group and the number of another; give the number "
+                         "of the one or the name of the other");
+    if (!found.empty()) return found.front();
     // Who sees only the own groups is not told that there is none.
     session.need(db::Action::kManageGroups, db::Scope::kGroup);
     std::vector<std::string> names;

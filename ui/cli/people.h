@@ -11,7 +11,7 @@ namespace placode::cli {
 [[nodiscard]] std::vector<std::string> role_names(db::Roles roles);
 [[nodiscard]] db::Roles roles_of(const std::vector<std::string>& names);
 
-/// By name or number. Throws InputError.
+/// By name or number. Throws InputError, also where it is both.
 [[nodiscard]] db::GroupRecord find_group(Session& session, const std::string& name_or_id);
 
 /// Throws AccessError unless whoever acts may do `action` to this group: it is in reach for its own

@@ -147,12 +147,20 @@ db::UserRecord Session::find_user(const std::string& login_or_id) {
         if (db::login_key(login_or_id) == db::login_key(user_->login)) return *user_;
         need(db::Action::kViewPersonalData, db::Scope::kOther);
     }
-    if (auto found = store_->accounts().find_login(login_or_id)) return *found;
+    const auto by_login = store_->accounts().find_login(login_or_id);
     int64_t id = 0;
     const char* end = login_or_id.data() + login_or_id.size();
     const auto [rest, error] = std::from_chars(login_or_id.data(), end, id);
-    if (error == std::errc{} && rest == end)
-        if (auto found = store_->accounts().find(id)) return *found;
+    const auto by_number =
+        error == std::errc{} && rest == end ? store_->accounts().find(id) : std::nullopt;
+    // An earlier version let somebody choose another account's number as login.
+    if (by_login && by_number && by_login->id != by_number->id)
+        throw InputError("user \"" + login_or_id + "\": is the login of account " +
+                         std::to_string(by_login->id) + " and the number of account \"" +
+                         by_number->login + "\"; give " + std::to_string(by_login->id) + " or " +
+                         by_number->login);
+    if (by_login) return *by_login;
+    if (by_number) return *by_number;
     std::vector<std::string> logins;
     for (const db::UserRecord& each : store_->accounts().list()) logins.push_back(each.login);
     throw InputError("user \"" + login_or_id + "\": not in " + store_->url() +

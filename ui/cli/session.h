@@ -40,7 +40,8 @@ class Session {
     [[nodiscard]] bool may(db::Action action, db::Scope scope) const;
     /// The same about a person: own, in reach, or not.
     void need_for(db::Action action, int64_t subject) const;
-    /// By login or number. Throws InputError.
+    /// By login or number. Throws InputError, also where it is one person's login and another's
+    /// number.
     [[nodiscard]] db::UserRecord find_user(const std::string& login_or_id);
 
  private:

@@ -10509,6 +10509,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>login jest pusty</translation>
     </message>
     <message>
+        <source>the login reads as the number of an account; put a letter before it</source>
+        <translation>login wygląda jak numer konta; poprzedź go literą</translation>
+    </message>
+    <message>
         <source>the name is empty</source>
         <translation>nazwa jest pusta</translation>
     </message>
