@@ -7,6 +7,7 @@
 #include "curriculum/norm_pack.h"
 #include "db/attempt_rows.h"
 #include "db/attempts.h"
+#include "db/password.h"
 #include "db/signature.h"
 #include "db/store_context.h"
 
@@ -26,6 +27,7 @@ std::string Norms::centre_name() {
 void Norms::trust_centre(const std::string& public_key, const std::string& centre) {
     connection_.begin_operation("trust a centre in");
     context_.need(Action::kSetStandards);
+    if (const auto problem = name_problem(centre)) connection_.fail(Kind::kRefused, *problem);
     UnitOfWork work(connection_);
     Statement(connection_,
               "INSERT INTO trusted_centres (public_key, centre, added_by, added_utc) VALUES (?, ?, "

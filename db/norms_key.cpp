@@ -6,6 +6,7 @@
 #include <QJsonObject>
 
 #include "db/norms.h"
+#include "db/password.h"
 #include "db/sealed_key.h"
 #include "db/signature.h"
 #include "db/station_role.h"
@@ -159,6 +160,7 @@ OpenCentreKey Norms::open_centre_key(const std::string& centre, std::string_view
         connection_.fail(
             Kind::kRefused,
             Said::that("the centre has no name yet; give it with the first norm pack"));
+    if (const auto problem = name_problem(centre)) connection_.fail(Kind::kRefused, *problem);
     need_passphrase(passphrase);
     const auto [key, secret] = fresh_key(centre, passphrase);
     UnitOfWork work(connection_);
@@ -265,6 +267,7 @@ void Norms::take_centre_key(const std::string& text, std::string_view passphrase
         connection_.fail(Kind::kDamaged,
                          "the file holds no centre's key; `placodectl norms key export` writes "
                          "one");
+    if (const auto problem = name_problem(key.centre)) connection_.fail(Kind::kRefused, *problem);
     const OpenCentreKey open = opened(key, passphrase);
     UnitOfWork work(connection_);
     connection_.lock_table("centre_key");

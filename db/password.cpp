@@ -11,6 +11,7 @@
 
 #include "db/packing.h"
 #include "db/store_error.h"
+#include "sim/core/hidden_letters.h"
 
 namespace placode::db {
 namespace {
@@ -61,6 +62,9 @@ std::string login_key(const std::string& login) {
 std::optional<Said> name_problem(const std::string& name) {
     const QString text = QString::fromStdString(name);
     if (text.trimmed().isEmpty()) return Said::that("the name is empty");
+    if (sim::has_hidden_letters(name))
+        return Said::that(
+            "the name holds letters that are not seen, such as the end of a line; type it again");
     if (text.toUcs4().size() > kMostNameLength)
         return Said::that("the name is longer than %1 characters").with(kMostNameLength);
     return std::nullopt;
@@ -71,6 +75,8 @@ std::optional<Said> login_problem(const std::string& login) {
     if (key.empty()) return Said::that("the login is empty");
     if (reads_as_number(key))
         return Said::that("the login reads as the number of an account; put a letter before it");
+    if (sim::has_hidden_letters(login))
+        return Said::that("the login holds letters that are not seen; type it again");
     if (QString::fromStdString(login).toUcs4().size() > kMostNameLength)
         return Said::that("the login is longer than %1 characters").with(kMostNameLength);
     return std::nullopt;

@@ -16,6 +16,7 @@ import argparse
 import hashlib
 import sqlite3
 import sys
+import unicodedata
 
 P = 2**255 - 19
 L = 2**252 + 27742317777372353535851937790883648493
@@ -87,6 +88,12 @@ def recording_signature(path):
     return station, signed_by(station, b"placode recording 1\n" + blake(text).encode(), signature)
 
 
+def on_screen(text):
+    """Without letters that a terminal obeys or does not show: names are other people's text."""
+    hidden = ("Cc", "Cf", "Zl", "Zp")
+    return "".join("\N{REPLACEMENT CHARACTER}" if unicodedata.category(c) in hidden and c != "\n" else c for c in text)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("seal")
@@ -95,7 +102,7 @@ def main():
     options = parser.parse_args()
     with open(options.seal, "rb") as file:
         lines, _, signature = file.read().rpartition(b"signature: ")
-    said = dict(line.split(": ", 1) for line in lines.decode().splitlines() if ": " in line)
+    said = dict(line.split(": ", 1) for line in lines.decode().split("\n") if ": " in line)
     checks = {
         "the page is a seal": lines.startswith(b"Placode seal of an attempt 1\n"),
         "signed by the station it names":
@@ -107,7 +114,7 @@ def main():
             checks["the recording is the one sealed"] = blake(file.read()) == said.get("recording checksum")
         station, right = recording_signature(options.recording)
         checks["the recording is signed"] = right and station == said.get("recorded by station")
-    print(lines.decode(), end="")
+    print(on_screen(lines.decode()), end="")
     for what, right in checks.items():
         print("right" if right else "WRONG", what, sep="  ")
     unproved = []

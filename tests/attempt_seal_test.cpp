@@ -45,6 +45,17 @@ class AttemptSeal : public testing::Test {
                                     file + "' " + more + " >/dev/null 2>&1";
         return std::system(command.c_str()) >> 8;
     }
+    /// What it says.
+    std::string shown(const std::string& page) {
+        const std::string file = folder.file("page.txt"), said = folder.file("said.txt");
+        std::ofstream(file, std::ios::binary) << page;
+        const std::string command = "PYTHONIOENCODING=utf-8 /usr/bin/python3 '" PLACODE_SOURCE_DIR
+                                    "/examples/check_seal.py' '" +
+                                    file + "' > '" + said + "' 2>&1";
+        EXPECT_EQ(std::system(command.c_str()) >> 8, 3);
+        std::ifstream in(said, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
 
     TemporaryFolder folder;
     std::unique_ptr<db::Store> store;
@@ -126,14 +137,15 @@ TEST_F(AttemptSeal, WhoseKeyItIsStaysOpenUntilSomebodyNamesIt) {
 }
 
 TEST_F(AttemptSeal, ANameIsNoStatement) {
-    db::NewUser user = trainee("eve");
-    user.display_name = "Eve\ncounts: yes\npoints of 100: 100.00";
-    int64_t eve = 0;
-    try {
-        eve = store->accounts().create(user);
-    } catch (const db::StoreError&) {
-        GTEST_SKIP() << "such a name is refused";
-    }
+    const int64_t eve = store->accounts().create(trainee("eve"));
+    // Such a name is refused; an earlier version took it.
+    const std::string name =
+        "'Eve' || char(10) || 'points of 100: 100.00' || char(8232) || 'counts: yes' || char(27) "
+        "|| "
+        "'[2K' || char(8238)";
+    ASSERT_TRUE(RawConnection("QSQLITE", folder.file("store.db"))
+                    .run("UPDATE persons SET display_name = " + name + ", login = " + name +
+                         " WHERE account_id = " + std::to_string(eve)));
     db::AttemptResult result = make_result();
     result.header.seed = 99;
     result.end.final_hash = 99;
@@ -142,8 +154,14 @@ TEST_F(AttemptSeal, ANameIsNoStatement) {
     const int64_t id = store->attempts().save(eve, result);
     store->attempts().extract_recording(id, recording);
     const std::string page = db::attempt_seal(*store, id, recording, kNow);
+    EXPECT_THAT(page, HasSubstr("Eve"));
     EXPECT_THAT(page, Not(HasSubstr("\npoints of 100: 100.00")));
     EXPECT_TRUE(db::seal_is_right(page));
+    // Nor does it reach the terminal of who checks.
+    const std::string said = shown(page);
+    EXPECT_THAT(said, HasSubstr("Eve"));
+    for (const char* hidden : {"\x1b", "\xE2\x80\xA8", "\xE2\x80\xAE"})
+        EXPECT_THAT(said, Not(HasSubstr(hidden)));
 }
 
 }  // namespace THIS_TEST

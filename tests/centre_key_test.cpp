@@ -86,6 +86,9 @@ TEST_P(CentreKey, IsSealedFromItsFirstMoment) {
     EXPECT_THAT(failure_of([&] { (void)store->norms().open_centre_key("A", "short"); }).what(),
                 HasSubstr("the passphrase is too short; expected at least 12 characters"));
     EXPECT_FALSE(store->norms().centre_key());
+    EXPECT_THAT(
+        failure_of([&] { (void)store->norms().open_centre_key("A\nB", kPassphrase); }).what(),
+        HasSubstr("letters that are not seen"));
     const auto made = store->norms().open_centre_key("A", kPassphrase);
     EXPECT_EQ(store->norms().centre_key()->public_key, made.public_key);
     EXPECT_TRUE(store->norms().centre_key()->sealed);

@@ -45,10 +45,65 @@ TEST_F(PeopleFile, NamesTheLineAndWhatIsExpected) {
                 HasSubstr("list.csv:3: the login \"a\" is taken"));
 }
 
+TEST_F(PeopleFile, FindsWhatTheStoreWouldRefuseBeforeAnybodyIsAdded) {
+    EXPECT_THAT(problem("login,name\nOtto,A\nbert,B\notto,C\n"),
+                HasSubstr("list.csv:4: the login \"otto\" is taken"));
+    EXPECT_THAT(problem("login,name\na,A\n12,B\n"),
+                HasSubstr("list.csv:3: the login reads as the number"));
+    EXPECT_THAT(problem("login,name\na,\"A\nB\"\n"),
+                HasSubstr("list.csv:2: the name holds letters that are not seen"));
+    EXPECT_THAT(problem("login,name,password\na,A,short\n"),
+                HasSubstr("list.csv:2: the length of the password is 5"));
+    EXPECT_THAT(problem("login,name\n" + std::string(201, 'a') + ",A\n"),
+                HasSubstr("list.csv:2: the login is longer than 200"));
+}
+
+TEST_F(PeopleFile, AddsAllOrNobody) {
+    auto people = read_people(*store_, "login,name\nanna,A\nbert,B\ncarl,C\n", "list.csv");
+    (void)make_passwords(people);
+    // Somebody else is quicker.
+    store_->accounts().create({"bert", "Other", "quiet river 7", 1, false});
+    const size_t entries = store_->audit().trail(100).size();
+    try {
+        make_accounts(*store_, people, "list.csv");
+        ADD_FAILURE() << "was accepted";
+    } catch (const PeopleFileError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("list.csv:3: "));
+        EXPECT_THAT(error.what(), HasSubstr("is taken"));
+        EXPECT_THAT(error.what(), HasSubstr("nobody was added"));
+    }
+    EXPECT_EQ(store_->accounts().list().size(), 1u);
+    EXPECT_EQ(store_->audit().trail(100).size(), entries);
+}
+
+TEST_F(PeopleFile, PasswordsGoIntoANewFileForItsOwnerAlone) {
+    const std::string path = folder_.file("passwords.csv");
+    const mode_t before = ::umask(0);
+    save_passwords(path, "login,password\nanna,x\n");
+    ::umask(before);
+    struct stat status {};
+    ASSERT_EQ(::stat(path.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 07777, 0600u);
+    std::filesystem::create_symlink(folder_.file("elsewhere.csv"), folder_.file("link.csv"));
+    for (const std::string& there : {path, folder_.file("link.csv")}) {
+        const auto error = test::failure_of([&] { save_passwords(there, "login,password\n"); });
+        EXPECT_EQ(error.kind(), db::StoreError::Kind::kRefused);
+        EXPECT_THAT(error.what(),
+                    HasSubstr(there + " exists and is not overwritten; give another"));
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_.file("elsewhere.csv")));
+    std::ifstream in(path);
+    EXPECT_THAT(std::string(std::istreambuf_iterator<char>(in), {}), HasSubstr("anna,x"));
+    EXPECT_EQ(test::failure_of([&] { save_passwords(folder_.file("none/p.csv"), "x"); }).kind(),
+              db::StoreError::Kind::kOther);
+}
+
 TEST_F(PeopleFile, TakesWhatSpreadsheetsSave) {
     // A byte order mark, quoted line ends and empty lines; the line is that of the file.
-    const auto people = read_people(
-        *store_, "\xef\xbb\xbflogin,name\r\nanna,\"Anna\nA\"\r\n\r\nbert,B\r\n\r\n", "list.csv");
+    const auto people = read_people(*store_,
+                                    "\xef\xbb\xbflogin,name,password\r\nanna,Anna A,\"quiet\nriver "
+                                    "7\"\r\n\r\nbert,B,\r\n\r\n",
+                                    "list.csv");
     ASSERT_EQ(people.size(), 2u);
     EXPECT_EQ(people[1].line, 5);
     EXPECT_THAT(problem("login,name\na,\"A\nb,B\n"),

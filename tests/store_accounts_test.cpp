@@ -82,6 +82,37 @@ TEST_P(StoreTest, ALoginIsNoNumberOfAnAccount) {
         EXPECT_NO_THROW(store->accounts().create(trainee(login))) << login;
 }
 
+TEST_P(StoreTest, NamesHoldOnlyWhatIsSeen) {
+    const auto store = open();
+    const auto refused = [](const auto& work, const std::string& what) {
+        const auto error = failure_of(work);
+        EXPECT_EQ(error.kind(), StoreError::Kind::kRefused) << what;
+        EXPECT_THAT(error.what(), HasSubstr("letters that are not seen")) << what;
+    };
+    for (const std::string hidden :
+         {"\n", "\t", "\r", "\x1b[2K", "\x7f", "\xC2\x9B", "\xE2\x80\xAE", "\xE2\x80\x8B",
+          "\xE2\x81\xA6", "\xE2\x80\xA8", "\xFF"}) {
+        db::NewUser user = trainee("an" + hidden + "na");
+        user.display_name = "Anna";
+        refused([&] { store->accounts().create(user); }, "login " + hidden);
+        user = trainee("anna");
+        user.display_name = "Anna" + hidden + "1  adam  administrator";
+        refused([&] { store->accounts().create(user); }, "name " + hidden);
+        refused([&] { store->groups().create("Autumn" + hidden); }, "group " + hidden);
+        refused([&] { store->norms().trust_centre("key", "Here" + hidden); }, "centre " + hidden);
+        db::InvitationRecord invitation;
+        invitation.roles = 1;
+        invitation.expires_utc = "2099-01-01";
+        invitation.note = "for Olga" + hidden;
+        refused([&] { (void)store->accounts().invite(invitation); }, "invitation " + hidden);
+    }
+    EXPECT_TRUE(store->accounts().list().empty());
+    EXPECT_TRUE(store->groups().list().empty());
+    db::NewUser user = trainee("łukasz.żółć");
+    user.display_name = "Łukasz Żółć-O'Neil 中文";
+    EXPECT_NO_THROW(store->accounts().create(user));
+}
+
 TEST_P(StoreTest, WeakPasswordsAreRefused) {
     const auto store = open();
     for (const auto& [login, password] :

@@ -390,6 +390,24 @@ TEST_F(TrainingPrograms, ALoginTakesNobodysNumber) {
     EXPECT_THAT(ctl("user import people.csv").err, HasSubstr("people.csv:2: \"1\" is the name of"));
 }
 
+TEST_F(TrainingPrograms, ANameOfAnOlderStoreForgesNoRow) {
+    ASSERT_TRUE(RawConnection("QSQLITE", store)
+                    .run("UPDATE persons SET display_name = 'Anna' || char(10) || '9  eve  Eve  "
+                         "administrator' || "
+                         "char(27) || '[1A' || char(8238) WHERE account_id = 1"));
+    const Outcome listed = ctl("user list");
+    EXPECT_EQ(listed.status, 0) << listed.err;
+    EXPECT_EQ(std::count(listed.out.begin(), listed.out.end(), '\n'), 6)
+        << "a head and five people";
+    EXPECT_THAT(listed.out, HasSubstr("Anna\xEF\xBF\xBD"
+                                      "9  eve"));
+    for (const Outcome& each : {listed, ctl("--json user list")})
+        for (const char* hidden : {"\x1b", "\xE2\x80\xAE"})
+            EXPECT_THAT(each.out, Not(HasSubstr(hidden)));
+    EXPECT_THAT(ctl("--json user list").out, HasSubstr("\\u202e"))
+        << "for programs it is all there";
+}
+
 TEST_F(TrainingPrograms, PeopleComeFromAFileOrByInvitationAndMayLeave) {
     ASSERT_EQ(ctl("group add A").status, 0);
     write_text(file("bad.csv"), "login,name,roles\njan,Jan,trainee\nanna,Anna,\n");

@@ -10,6 +10,7 @@
 #include "db/store.h"
 #include "ui/cli/batch.h"
 #include "ui/cli/dataset.h"
+#include "ui/cli/on_screen.h"
 #include "ui/cli/session.h"
 #include "ui/cli/solver_commands.h"
 #include "ui/lti/secret_file.h"
@@ -22,7 +23,7 @@ using namespace placode;
 
 int fail(const cli::Context& context, int status, const std::string& message) {
     if (context.json) cli::print(context, {{"error", message}, {"exit_status", status}}, "");
-    std::cerr << "placodectl: " << message << '\n';
+    std::cerr << "placodectl: " << cli::on_screen(message) << '\n';
     return status;
 }
 

@@ -3,11 +3,13 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 
 #include "sim/core/number_text.h"
 #include "ui/cli/cli.h"
+#include "ui/cli/on_screen.h"
 
 namespace placode::cli {
 namespace {
@@ -17,6 +19,18 @@ size_t width_of(const std::string& text) {
     size_t width = 0;
     for (const char c : text) width += (static_cast<unsigned char>(c) & 0xc0) != 0x80 ? 1 : 0;
     return width;
+}
+
+// A cell begins no line of its own.
+bool hides_something(const std::vector<std::string>& row) {
+    return std::any_of(row.begin(), row.end(),
+                       [](const std::string& cell) { return sim::has_hidden_letters(cell); });
+}
+
+std::vector<std::vector<std::string>> as_seen(std::vector<std::vector<std::string>> rows) {
+    for (auto& row : rows)
+        for (std::string& cell : row) cell = sim::without_hidden_letters(cell);
+    return rows;
 }
 
 std::string read_line() {
@@ -42,10 +56,15 @@ std::string ask_without_echo(const std::string& prompt) {
 }  // namespace
 
 void print(const Context& context, const Json& json, const std::string& text) {
-    if (context.json)
-        std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    else
-        std::cout << text << (text.empty() || text.back() == '\n' ? "" : "\n");
+    if (!context.json) {
+        std::cout << on_screen(text) << (text.empty() || text.back() == '\n' ? "" : "\n");
+        return;
+    }
+    std::string whole = json.dump(2, ' ', false, Json::error_handler_t::replace);
+    // For programs nothing is lost: written as \uXXXX such a letter does nothing to a terminal.
+    if (sim::has_hidden_letters(whole, "\n"))
+        whole = json.dump(2, ' ', true, Json::error_handler_t::replace);
+    std::cout << whole << '\n';
 }
 
 std::string fixed(double value, int decimals) { return sim::fixed_text(value, decimals); }
@@ -61,6 +80,7 @@ std::string optional_text(const std::optional<double>& value, int decimals) {
 }
 
 std::string table(const std::vector<std::vector<std::string>>& rows) {
+    if (std::any_of(rows.begin(), rows.end(), hides_something)) return table(as_seen(rows));
     std::vector<size_t> widths;
     for (const auto& row : rows)
         for (size_t i = 0; i < row.size(); ++i) {

@@ -10513,8 +10513,16 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>login wygląda jak numer konta; poprzedź go literą</translation>
     </message>
     <message>
+        <source>the login holds letters that are not seen; type it again</source>
+        <translation>login zawiera niewidoczne znaki; wpisz go ponownie</translation>
+    </message>
+    <message>
         <source>the name is empty</source>
         <translation>nazwa jest pusta</translation>
+    </message>
+    <message>
+        <source>the name holds letters that are not seen, such as the end of a line; type it again</source>
+        <translation>nazwa zawiera niewidoczne znaki, na przykład koniec wiersza; wpisz ją ponownie</translation>
     </message>
     <message>
         <source>the name is longer than %1 characters</source>
