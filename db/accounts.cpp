@@ -4,6 +4,8 @@
 
 #include "db/accounts.h"
 
+#include <algorithm>
+
 #include "db/password.h"
 #include "db/sqlite_file.h"
 #include "db/store_context.h"
@@ -40,6 +42,38 @@ int64_t Accounts::create(const NewUser& user) {
     work.commit();
     if (!user.demonstration && connection_.is_sqlite()) mark_store(connection_.url().path);
     return id;
+}
+
+void Accounts::create_all(const std::vector<ListedUser>& people, size_t& at) {
+    at = 0;
+    connection_.begin_operation("create the users of a list in");
+    context_.need(Action::kManageUsers);
+    need_accounts();
+    // Hashing takes its time: before the transaction, or nobody else could write meanwhile.
+    std::vector<std::string> hashes;
+    for (; at < people.size(); ++at) {
+        if (people[at].group_id != 0)
+            context_.need_for_group(Action::kManageGroups, people[at].group_id);
+        hashes.push_back(check_new_user(people[at].user));
+    }
+    UnitOfWork work(connection_);
+    for (at = 0; at < people.size(); ++at) {
+        const ListedUser& person = people[at];
+        const int64_t id = insert_user(person.user, hashes[at]);
+        if (person.group_id == 0) continue;
+        context_.need_group(person.group_id);
+        context_.touch("group", person.group_id);
+        Statement(connection_,
+                  "INSERT INTO group_members (group_id, account_id, teaches) VALUES (?, ?, 0)")
+            .run(person.group_id, id);
+        context_.append_audit("group.member",
+                              "group " + std::to_string(person.group_id) + " " + user_object(id),
+                              "member");
+    }
+    work.commit();
+    const bool real = std::any_of(people.begin(), people.end(),
+                                  [](const ListedUser& each) { return !each.user.demonstration; });
+    if (real && connection_.is_sqlite()) mark_store(connection_.url().path);
 }
 
 void Accounts::need_free_login(const std::string& key, int64_t but_of) {

@@ -29,6 +29,12 @@ struct NewUser {
     bool password_given = false;  ///< Somebody else chose it: the owner is to choose another.
 };
 
+/// Somebody of a list.
+struct ListedUser {
+    NewUser user;
+    int64_t group_id = 0;  ///< Whose member; 0 = of none.
+};
+
 /// `store.accounts()`. Every change is one transaction and in the audit trail.
 class Accounts {
  public:
@@ -36,6 +42,9 @@ class Accounts {
 
     /// Throws kConflict, kRefused (weak password). Nobody may make the first one, an administrator.
     int64_t create(const NewUser& user);
+    /// All of a list, or nobody. Throws as create(), and kNotFound for a group; `at` is then the
+    /// place of who could not be made.
+    void create_all(const std::vector<ListedUser>& people, size_t& at);
     /// After 5 wrong passwords in a row the login has to wait: 5 s, then twice as long each time,
     /// at most 15 min. What is not an account waits and takes as long as what is one.
     /// From then on the store works for this account, with its rights.

@@ -3,11 +3,17 @@
 #include "reports/people_file.h"
 
 #include <QDir>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <set>
 #include <sstream>
 
@@ -66,6 +72,15 @@ int64_t group_of(db::Store& store, const std::string& name) {
     return found;
 }
 
+/// What the store would refuse, said before anybody is added.
+void check_rules(const db::NewUser& user, const std::string& place) {
+    auto problem = db::login_problem(user.login);
+    if (!problem) problem = db::name_problem(user.display_name);
+    if (!problem && !user.password.empty())
+        problem = db::password_problem(user.login, user.password);
+    if (problem) throw PeopleFileError(place + problem->english());
+}
+
 PersonLine read_line(db::Store& store, const RowCells& head, const RowCells& row,
                      const std::string& place) {
     if (row.size() != head.size())
@@ -87,6 +102,7 @@ PersonLine read_line(db::Store& store, const RowCells& head, const RowCells& row
     }
     if (line.user.login.empty() || line.user.display_name.empty())
         throw PeopleFileError(place + "login and name must not be empty");
+    check_rules(line.user, place);
     return line;
 }
 
@@ -184,7 +200,8 @@ std::vector<PersonLine> read_people(db::Store& store, const std::string& csv,
         const std::string place = origin + ":" + std::to_string(rows[i].line) + ": ";
         PersonLine line = read_line(store, head, rows[i].cells, place);
         line.line = rows[i].line;
-        if (!logins.insert(line.user.login).second || store.accounts().find_login(line.user.login))
+        if (!logins.insert(db::login_key(line.user.login)).second ||
+            store.accounts().find_login(line.user.login))
             throw PeopleFileError(place + "the login \"" + line.user.login + "\" is taken");
         people.push_back(std::move(line));
     }
@@ -202,21 +219,45 @@ std::string make_passwords(std::vector<PersonLine>& people) {
     return csv;
 }
 
+void save_passwords(const std::string& path, const std::string& csv) {
+    using Kind = db::StoreError::Kind;
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                            S_IRUSR | S_IWUSR);
+    if (file < 0 && errno == EEXIST)
+        throw db::StoreError(
+            Kind::kRefused, "write the passwords: ",
+            db::Said::that("%1 exists and is not overwritten; give another name").with(path));
+    size_t done = 0;
+    bool kept = file >= 0;
+    while (kept && done < csv.size()) {
+        const ssize_t wrote = ::write(file, csv.data() + done, csv.size() - done);
+        kept = wrote > 0;
+        done += kept ? static_cast<size_t>(wrote) : 0;
+    }
+    kept = kept && ::fsync(file) == 0;
+    const std::string why = std::strerror(errno);
+    if (file >= 0) ::close(file);
+    if (kept) return;
+    if (file >= 0) ::unlink(path.c_str());
+    throw db::StoreError(Kind::kOther, "write the passwords: " + path + ": " + why +
+                                           "; choose a folder that you may write to");
+}
+
 size_t make_accounts(db::Store& store, const std::vector<PersonLine>& people,
                      const std::string& origin) {
-    size_t made = 0;
+    std::vector<db::ListedUser> list;
     for (const PersonLine& person : people) {
-        try {
-            const int64_t id = store.accounts().create(person.user);
-            if (person.group_id != 0)
-                store.groups().set_role(person.group_id, id, db::GroupRole::kMember);
-            ++made;
-        } catch (const db::StoreError& error) {
-            throw PeopleFileError(origin + ":" + std::to_string(person.line) + ": " + error.what() +
-                                  " (" + std::to_string(made) + " people before it were added)");
-        }
+        list.push_back({person.user, person.group_id});
+        list.back().user.password_given = true;
     }
-    return made;
+    size_t at = 0;
+    try {
+        store.accounts().create_all(list, at);
+    } catch (const db::StoreError& error) {
+        const std::string line = at < people.size() ? std::to_string(people[at].line) + ": " : " ";
+        throw PeopleFileError(origin + ":" + line + error.what() + " (nobody was added)");
+    }
+    return people.size();
 }
 
 OwnData write_own_data(db::Store& store, int64_t user_id, const std::string& folder,

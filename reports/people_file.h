@@ -28,16 +28,21 @@ struct PersonLine {
 /// Roles by name ("trainee;educator"), the sum of their bits. Throws PeopleFileError.
 [[nodiscard]] db::Roles roles_of_text(const std::string& text);
 
-/// Reads `login,name[,roles][,group][,password]`. Everything is checked, logins against the store
-/// as well, before anything is changed. Throws PeopleFileError.
+/// Reads `login,name[,roles][,group][,password]`. Everything is checked before anything is changed:
+/// each line by the rules for an account, logins against each other and the store. Throws
+/// PeopleFileError.
 [[nodiscard]] std::vector<PersonLine> read_people(db::Store& store, const std::string& csv,
                                                   const std::string& origin);
 
 /// Passwords for those without one; the CSV `login,password` of these ("" when there are none).
 [[nodiscard]] std::string make_passwords(std::vector<PersonLine>& people);
 
-/// Makes the accounts and returns how many. Throws PeopleFileError naming the line and how many
-/// stand already. @pre everybody has a password.
+/// Keeps them in a new file for its owner alone, on the disk when this returns. Throws
+/// db::StoreError, kRefused where something is there: it may be the passwords of an earlier list.
+void save_passwords(const std::string& path, const std::string& csv);
+
+/// Makes all accounts, or none, and returns how many; somebody else chose their passwords. Throws
+/// PeopleFileError naming the line. @pre everybody has a password.
 size_t make_accounts(db::Store& store, const std::vector<PersonLine>& people,
                      const std::string& origin);
 

@@ -3,7 +3,9 @@
 #include "reports/people_file.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -124,6 +126,8 @@ TEST_F(PeopleFile, MakesAccountsWithRolesGroupsAndPasswords) {
     EXPECT_EQ(make_accounts(*store_, people, "list.csv"), 2u);
     const auto anna = store_->accounts().find_login("anna");
     ASSERT_TRUE(anna.has_value());
+    EXPECT_TRUE(anna->password_given) << "whoever made the list knows it";
+    EXPECT_TRUE(store_->accounts().find_login("bert")->password_given);
     EXPECT_TRUE(db::has_role(anna->roles, db::Role::kEducator));
     EXPECT_EQ(store_->groups().list()[0].id, group);
     EXPECT_THAT(store_->groups().list()[0].members, testing::ElementsAre(anna->id));

@@ -52,6 +52,13 @@ inline std::vector<Method> methods_of_accounts() {
          manages,
          {},
          [](Call& c) { c.store.accounts().create(trainee("new")); }},
+        {"accounts.create_all",
+         manages,
+         {},
+         [](Call& c) {
+             size_t at = 0;
+             c.store.accounts().create_all({{trainee("listed"), 0}}, at);
+         }},
         {"accounts.sign_in",
          {},
          {},

@@ -427,6 +427,12 @@ TEST_F(TrainingPrograms, PeopleComeFromAFileOrByInvitationAndMayLeave) {
     EXPECT_THAT(ctl("user list").out,
                 AllOf(HasSubstr("Jan, junior"), HasSubstr("trainee, educator")));
     const std::string passwords = read_text(file("p.csv"));
+    write_text(file("more.csv"), "login,name\nkim,Kim\n");
+    const Outcome again = as("adam", "user import more.csv --out p.csv");
+    EXPECT_EQ(again.status, 2);
+    EXPECT_THAT(again.err, HasSubstr("p.csv exists and is not overwritten; give another name"));
+    EXPECT_EQ(read_text(file("p.csv")), passwords) << "those of jan and ola are still known";
+    EXPECT_THAT(ctl("user list").out, Not(HasSubstr("kim")));
     const std::string jans = passwords.substr(passwords.find("jan,") + 4, 16);
     EXPECT_EQ(ctl("--as jan course next", "PLACODE_PASSWORD=" + jans).status, 0);
 

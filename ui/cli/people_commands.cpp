@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl user import|invite|invitations|accept|pin. Own data and erasure: erasure_commands.cpp.
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <fstream>
 #include <memory>
@@ -66,13 +64,9 @@ int import_people(const Context& context, const PeopleOptions& options) {
     }
     // Written before the first account is made: a password that nobody knows helps nobody.
     const std::string passwords = reports::make_passwords(people);
-    if (need_file) {
-        std::ofstream out(options.out, std::ios::binary | std::ios::trunc);
-        ::chmod(options.out.c_str(), S_IRUSR | S_IWUSR);
-        out << passwords;
-        out.flush();
-        if (!out) throw InputError("--out " + options.out + ": cannot be written");
-    }
+    if (need_file)
+        as_input([&] { reports::save_passwords(options.out, passwords); },
+                 db::StoreError::Kind::kOther);
     const size_t added =
         as_list([&] { return reports::make_accounts(session.store(), people, options.file); });
     json["added"] = added;

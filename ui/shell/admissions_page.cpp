@@ -9,7 +9,6 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 
-#include "reports/export.h"
 #include "reports/people_file.h"
 #include "ui/shell/day_text.h"
 #include "ui/shell/erasure_requests_card.h"
@@ -164,8 +163,7 @@ class AdmissionsPage : public Page {
                 const QString out = context_.askSaveFile(this, tr("Passwords that were made"),
                                                          "passwords.csv", "CSV (*.csv)");
                 if (out.isEmpty()) return;
-                reports::save_file(out.toStdString(), made);
-                QFile::setPermissions(out, QFileDevice::ReadOwner | QFileDevice::WriteOwner);
+                reports::save_passwords(out.toStdString(), made);
             }
             const size_t count =
                 reports::make_accounts(context_.store(), people, path.toStdString());
