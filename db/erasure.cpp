@@ -101,6 +101,7 @@ std::vector<std::string> copies_among(const std::vector<std::string>& backups,
                                       const StoreUrl& url) {
     if (!is_file(url)) return {};
     std::vector<std::string> found = kept_copies(fs::absolute(url.path).string());
+    // Also what an earlier version wrote down as it was typed, if it happens to be here.
     for (const std::string& path : backups)
         if (fs::is_regular_file(path)) found.push_back(fs::absolute(path).string());
     std::sort(found.begin(), found.end());
@@ -111,7 +112,8 @@ std::vector<std::string> copies_among(const std::vector<std::string>& backups,
 /// What a backup or restore that was killed has left: no use to anybody, and it may hold the
 /// person.
 void remove_half_made(const std::vector<std::string>& backups, const StoreUrl& url) {
-    for (const std::string& path : backups) remove_sqlite_file(path + kPartSuffix);
+    for (const std::string& path : backups)
+        if (fs::path(path).is_absolute()) remove_sqlite_file(path + kPartSuffix);
     if (is_file(url)) remove_sqlite_file(url.path + kRestoringSuffix);
 }
 
@@ -198,13 +200,21 @@ Erasure erase_person(Store& store, const std::string& url, int64_t user_id, bool
         }
         done.store = store.audit().head().store;
         const std::vector<std::string> backups = backups_of(store);
-        std::set<std::string> gone;
+        std::set<std::string> gone, unknown;
         for (const std::string& path : backups) {
+            if (fs::path(path).is_relative()) {
+                unknown.insert(path);
+                continue;
+            }
             if (!fs::exists(path)) gone.insert(path);
             if (fs::exists(path + kFailedSuffix))
                 done.left.push_back({path + kFailedSuffix, "a backup that did not pass its check"});
         }
         done.gone.assign(gone.begin(), gone.end());
+        for (const std::string& path : unknown)
+            done.left.push_back({path,
+                                 "a backup whose place is unknown: an earlier version wrote it "
+                                 "down without its folder"});
         copies = copies_among(backups, parse_store_url(url));
         for (LeftCopy& place : old_places(store, url)) done.left.push_back(std::move(place));
         remove_half_made(backups, parse_store_url(url));

@@ -255,7 +255,8 @@ void Store::backup(const std::string& path) {
     connection.begin_operation("back up");
     // First, so that an erasure knows of it whenever this is killed.
     UnitOfWork work(connection);
-    context_->append_audit("store.backup", path, "");
+    // Whole, because an erasure begins in another folder.
+    context_->append_audit("store.backup", std::filesystem::absolute(path).string(), "");
     work.commit();
     TrailHead head;
     if (connection.is_sqlite()) {

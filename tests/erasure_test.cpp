@@ -131,6 +131,30 @@ TEST_F(Erasure, NamesWhatItCannotReach) {
         << "people of another store are nobody's business";
 }
 
+TEST_F(Erasure, FindsABackupThatWasMadeAtARelativePlace) {
+    const fs::path here = fs::current_path();
+    fs::current_path(folder.path());
+    open()->backup("one.db");
+    fs::current_path(here);
+    ASSERT_TRUE(names_her("one.db"));
+    const db::Erasure done = erase();
+    EXPECT_THAT(done.cleaned, ElementsAre((fs::canonical(folder.path()) / "one.db").string()));
+    EXPECT_THAT(done.left, IsEmpty());
+    EXPECT_FALSE(names_her("one.db"));
+}
+
+TEST_F(Erasure, SaysOfAnOldRelativePlaceThatItIsUnknown) {
+    open()->audit().write("ada", "store.backup", "old.db", "");
+    open()->audit().write("ada", "store.backup", "old.db", "");
+    const db::Erasure done = erase();
+    EXPECT_THAT(done.gone, IsEmpty()) << "it may well be where it was made";
+    ASSERT_EQ(done.left.size(), 1U);
+    EXPECT_EQ(done.left[0].path, "old.db");
+    EXPECT_THAT(done.left[0].why, HasSubstr("place is unknown"));
+    EXPECT_THAT(db::erasure_certificate(done),
+                HasSubstr("old.db: a backup whose place is unknown"));
+}
+
 TEST_F(Erasure, ComesAgainWithARestore) {
     backup("away.db");
     fs::rename(file("away.db"), file("on_a_stick.db"));
