@@ -280,6 +280,10 @@ std::string erasure_certificate(const Erasure& erasure) {
         "backups that are not where they were made (a restore of them erases again, as long as the "
         "store that they replace says so):",
         erasure.gone);
+    text +=
+        "not in the store, and not looked at: links to a learning platform (lti.json, "
+        "lti.json.sent); `placodectl lti unlink` takes the account out of the first, the second "
+        "keeps which points were sent\n";
     Station station;
     const std::string key = station.public_key(), signature = station.sign(text);
     if (!signature.empty()) text += "station " + key + "\nsignature " + signature + "\n";

@@ -198,6 +198,7 @@ TEST_F(Erasure, IsCertifiedWithoutTheName) {
     const std::string text = db::erasure_certificate(erase());
     EXPECT_THAT(text, HasSubstr("account " + std::to_string(zofia)));
     EXPECT_THAT(text, HasSubstr("one.db"));
+    EXPECT_THAT(text, HasSubstr("links to a learning platform (lti.json, lti.json.sent)"));
     EXPECT_THAT(text, Not(HasSubstr(kLogin)));
     EXPECT_THAT(text, Not(HasSubstr(kName)));
     const size_t station = text.find("station "), signature = text.find("signature ");

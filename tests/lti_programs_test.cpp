@@ -141,6 +141,26 @@ TEST_F(LtiPrograms, GradesOfWhoIsLinkedGoToTheGradebookOnce) {
     EXPECT_EQ(status.st_mode & 07777, 0600U);
 }
 
+TEST_F(LtiPrograms, WhoWasErasedIsLeftOutAndNoFailure) {
+    add_people();
+    ASSERT_EQ(link("sub-1", "anna").status, 0);
+    ASSERT_EQ(link("sub-2", "bela").status, 0);
+    ASSERT_EQ(ctl("user erase anna --confirm anna").status, 0);
+    const Outcome sent = grades();
+    EXPECT_EQ(sent.status, 0) << sent.err;
+    EXPECT_THAT(sent.err,
+                AllOf(HasSubstr("sub \"sub-1\": account 2 was erased"), HasSubstr("lti unlink")));
+    EXPECT_EQ(arrived("a"), (std::vector<std::string>{"sub-2 12.35"}));
+    // The number of one and the log-in of another is nobody's.
+    ASSERT_TRUE(
+        RawConnection("QSQLITE", store)
+            .run("UPDATE persons SET login = 'other', login_key = 'other' WHERE account_id = "
+                 "3"));
+    const Outcome other = grades();
+    EXPECT_EQ(other.status, 1);
+    EXPECT_THAT(other.err, HasSubstr("account 3 is not bela's (any more)"));
+}
+
 TEST_F(LtiPrograms, AScoreThatCountsNoMoreIsCleared) {
     add_people();
     const int64_t only = attempt("idle", 33);
@@ -325,6 +345,16 @@ TEST_F(XapiPrograms, PeopleAreNumbersAndOnlyWhatIsNewGoes) {
     ASSERT_EQ(link("sub-3", "idle").status, 0);
     (void)attempt("idle", 5);
     EXPECT_EQ(number_in(send("--linked lti.json").out, "sent"), 1);
+    // Who was erased is left out; a log-in that somebody else took since is not followed.
+    ASSERT_EQ(link("sub-1", "anna").status, 0);
+    ASSERT_EQ(ctl("user erase anna --confirm anna").status, 0);
+    ASSERT_EQ(ctl("user add anna", "PLACODE_NEW_PASSWORD='long enough 1'").status, 0);
+    (void)attempt("anna", 6);
+    (void)attempt("idle", 7);
+    const Outcome linked = send("--linked lti.json");
+    EXPECT_EQ(linked.status, 0) << linked.err;
+    EXPECT_EQ(number_in(linked.out, "sent"), 1) << "of idle";
+    EXPECT_THAT(linked.err, HasSubstr("account 2 was erased"));
     EXPECT_EQ(send("--user anna", "--as bela ").status, 1) << "nobody else's";
     EXPECT_EQ(send("--user bela", "--as bela ").status, 0);
     EXPECT_EQ(send("").status, 2);

@@ -9,8 +9,8 @@
 #include "reports/report.h"
 #include "reports/xapi.h"
 #include "sim/core/counted.h"
+#include "ui/cli/links.h"
 #include "ui/cli/session.h"
-#include "ui/lti/settings.h"
 #include "ui/lti/statements.h"
 
 namespace placode::cli {
@@ -46,27 +46,24 @@ void check_sending(const XapiOptions& options) {
                          "\"; expected a day or a time in UTC, as 2026-11-21");
 }
 
-/// Log-in names of who is linked with a platform, each once.
-std::vector<std::string> linked_people(const std::string& file) {
-    std::vector<std::string> logins;
-    for (const lti::Platform& platform : lti::read_settings(file).platforms)
-        for (const lti::Link& link : platform.links)
-            if (std::find(logins.begin(), logins.end(), link.login) == logins.end())
-                logins.push_back(link.login);
-    return logins;
+std::vector<db::UserRecord> people_of(Session& session, const XapiOptions& options,
+                                      LeftOut& left_out) {
+    if (!options.lti.empty()) return linked_people(session, options.lti, left_out);
+    std::vector<db::UserRecord> people;
+    for (const std::string& login : options.users) people.push_back(session.find_user(login));
+    return people;
 }
 
 /// As the export makes them: pseudonyms, nobody who withdrew, no field that names a person.
-std::vector<reports::Dataset> data_sets(Session& session, const XapiOptions& options) {
+std::vector<reports::Dataset> data_sets(Session& session, const XapiOptions& options,
+                                        LeftOut& left_out) {
     const reports::DatasetOptions plain{false, "en", options.base};
     if (!options.study.empty()) {
         session.need(Action::kExportStudy, Scope::kOther);
         return {reports::study_dataset(session.store(), options.study, plain)};
     }
     std::vector<reports::Dataset> all;
-    for (const std::string& login :
-         options.lti.empty() ? options.users : linked_people(options.lti)) {
-        const db::UserRecord user = session.find_user(login);
+    for (const db::UserRecord& user : people_of(session, options, left_out)) {
         const bool own = session.user() && session.user()->id == user.id;
         session.need(Action::kViewAttempts, own ? Scope::kOwn : Scope::kOther);
         all.push_back(reports::user_dataset(session.store(), user, plain));
@@ -74,23 +71,29 @@ std::vector<reports::Dataset> data_sets(Session& session, const XapiOptions& opt
     return all;
 }
 
-std::vector<lti::Statement> statements_of(Session& session, const XapiOptions& options) {
+std::vector<lti::Statement> statements_of(Session& session, const XapiOptions& options,
+                                          LeftOut& left_out) {
     const int64_t since = options.since.empty() ? 0 : *curriculum::utc_seconds(options.since);
     std::vector<lti::Statement> all;
-    for (const reports::Dataset& data : data_sets(session, options))
+    for (const reports::Dataset& data : data_sets(session, options, left_out))
         for (reports::XapiStatement& each : reports::xapi_statements(data))
             if (curriculum::utc_seconds(each.timestamp).value_or(0) >= since)
                 all.push_back({std::move(each.id), std::move(each.json)});
     return all;
 }
 
+void complain(const std::string& problem) { std::cerr << "placodectl: " << problem << '\n'; }
+
 int run_send(const Context& context, const XapiOptions& options) {
     check_sending(options);
     const lti::RecordStore record_store{options.endpoint, lti::read_user_pass(options.credentials)};
     Session session(context, Missing::kRefuse);
-    const auto statements = statements_of(session, options);
+    LeftOut left_out;
+    const auto statements = statements_of(session, options, left_out);
+    for (const std::string& each : left_out.erased) complain(each);
     lti::SentFile sent(options.sent.empty() ? options.credentials + ".sent" : options.sent);
     if (options.dry_run) {
+        for (const std::string& each : left_out.problems) complain(each);
         Json due = Json::array();
         std::string text;
         for (const lti::Statement& each : statements)
@@ -102,7 +105,7 @@ int run_send(const Context& context, const XapiOptions& options) {
               text + sim::counted(due.size(), "statement") + " to be sent; none was");
         return 0;
     }
-    const lti::StatementsSent result =
+    lti::StatementsSent result =
         lti::send_statements(record_store, statements, sent, {3, options.wait_s});
     if (result.sent > 0)
         session.store().audit().write(
@@ -111,7 +114,9 @@ int run_send(const Context& context, const XapiOptions& options) {
             : options.lti.empty()  ? sim::counted(options.users.size(), "person", "people")
                                    : "everybody linked in " + options.lti,
             sim::counted(result.sent, "statement") + " to " + options.endpoint);
-    for (const std::string& each : result.problems) std::cerr << "placodectl: " << each << '\n';
+    result.problems.insert(result.problems.begin(), left_out.problems.begin(),
+                           left_out.problems.end());
+    for (const std::string& each : result.problems) complain(each);
     print(context,
           {{"sent", result.sent},
            {"there_already", result.there},
