@@ -442,6 +442,15 @@ void ShellTrainingTest::pinBringsBackToThePageThatWasLocked() {
     QVERIFY(shell.signIn("nina", "quiet river 7"));
     shell.window().open({PageId::kAccount, 0, {}, {}});
     QVERIFY(shell.arrives(PageId::kAccount));
+    // Whoever finds the screen unlocked sets no PIN.
+    QVERIFY(shell.type("new_pin", "7391"));
+    QVERIFY(shell.click("set_pin"));
+    QVERIFY(shell.find<QLabel>("pin_message")->isVisible());
+    QVERIFY(shell.type("pin_password", "not the one"));
+    QVERIFY(shell.click("set_pin"));
+    QCOMPARE(shell.find<QLabel>("pin_message")->text(), QString("The present password is wrong."));
+    QVERIFY(!shell.owner().accounts().has_pin(shell.idOf("nina")));
+    QVERIFY(shell.type("pin_password", "quiet river 7"));
     QVERIFY(shell.type("new_pin", "1234"));
     QVERIFY(shell.click("set_pin"));
     QVERIFY(shell.bannerSays("refused"));  // Too easy.

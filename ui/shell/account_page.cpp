@@ -99,13 +99,7 @@ class AccountPage : public Page {
         if (new_->text() != again_->text())
             return say({tr("The two passwords differ. Type them again."), again_});
         context_.guard(tr("Changing the password"), [this] {
-            const db::SignIn check = context_.store().accounts().sign_in(
-                context_.user().login, old_->text().toStdString());
-            if (check.outcome == db::SignInOutcome::kThrottled)
-                return say(
-                    {tr("Too many wrong passwords. Try again in %1 s.").arg(check.wait_s), old_});
-            if (check.outcome != db::SignInOutcome::kOk)
-                return say({tr("The present password is wrong."), old_});
+            if (const FormProblem wrong = checkPresent(old_)) return say(wrong);
             context_.store().accounts().set_password(context_.user().id,
                                                      new_->text().toStdString());
             for (QLineEdit* field : {old_, new_, again_}) field->clear();
@@ -113,6 +107,17 @@ class AccountPage : public Page {
             given_->hide();
             Q_EMIT notice(tr("The password was changed."));
         });
+    }
+
+    /// Whoever finds the screen unlocked is not yet the person.
+    FormProblem checkPresent(QLineEdit* field) {
+        const db::SignIn check =
+            context_.store().accounts().sign_in(context_.user().login, field->text().toStdString());
+        if (check.outcome == db::SignInOutcome::kThrottled)
+            return {tr("Too many wrong passwords. Try again in %1 s.").arg(check.wait_s), field};
+        if (check.outcome != db::SignInOutcome::kOk)
+            return {tr("The present password is wrong."), field};
+        return {};
     }
 
     QWidget* pinCard() {
@@ -125,12 +130,21 @@ class AccountPage : public Page {
                "password is needed.")
                 .arg(AppContext::kPinHours),
             "muted"));
+        pin_password_ = new QLineEdit;
+        pin_password_->setObjectName("pin_password");
+        pin_password_->setEchoMode(QLineEdit::Password);
+        layout->addLayout(make_field(tr("Present password"), pin_password_));
         pin_ = new QLineEdit;
         pin_->setObjectName("new_pin");
         pin_->setEchoMode(QLineEdit::Password);
         pin_->setInputMethodHints(Qt::ImhDigitsOnly);
         pin_->setMaxLength(12);
         layout->addLayout(make_field(tr("New PIN"), pin_));
+        pin_message_ = make_label({}, "critical");
+        pin_message_->setObjectName("pin_message");
+        pin_message_->hide();
+        hide_when_edited(pin_message_, {pin_password_, pin_});
+        layout->addWidget(pin_message_);
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace12);
         QPushButton* set = make_button(context_, tr("Set the PIN"), "secondary", "key");
@@ -143,20 +157,25 @@ class AccountPage : public Page {
         row->addStretch();
         layout->addLayout(row);
         const auto give = [this] {
+            if (const FormProblem missing = first_missing({pin_password_}))
+                return sayOfPin(missing);
             if (!pin_->text().isEmpty()) return setPin(pin_->text());
             context_.report({tr("Type four to twelve digits."), {}, {}, false});
             go_to_field(pin_);
         };
         connect(set, &QPushButton::clicked, this, give);
-        enter_submits({pin_}, this, give);
+        enter_submits({pin_password_, pin_}, this, give);
         connect(remove_pin_, &QPushButton::clicked, this, [this] { setPin({}); });
         return make_card(layout);
     }
 
     void setPin(const QString& pin) {
         context_.guard(tr("Setting the PIN"), [&] {
+            // A PIN opens the account for hours; to take one away opens nothing.
+            if (!pin.isEmpty())
+                if (const FormProblem wrong = checkPresent(pin_password_)) return sayOfPin(wrong);
             context_.store().accounts().set_pin(context_.user().id, pin.toStdString());
-            pin_->clear();
+            for (QLineEdit* field : {pin_password_, pin_}) field->clear();
             remove_pin_->setVisible(!pin.isEmpty());
             Q_EMIT notice(pin.isEmpty() ? tr("The PIN is gone.") : tr("The PIN is set."));
         });
@@ -249,15 +268,17 @@ class AccountPage : public Page {
         });
     }
 
-    void say(const FormProblem& problem) {
-        message_->setText(problem.text);
-        message_->show();
+    void say(const FormProblem& problem) { say(problem, message_); }
+    void sayOfPin(const FormProblem& problem) { say(problem, pin_message_); }
+    static void say(const FormProblem& problem, QLabel* message) {
+        message->setText(problem.text);
+        message->show();
         go_to_field(problem.field);
     }
 
     QLineEdit *old_ = nullptr, *new_ = nullptr, *again_ = nullptr;
-    QLabel *message_ = nullptr, *erasure_ = nullptr, *given_ = nullptr;
-    QLineEdit *pin_ = nullptr, *reason_ = nullptr;
+    QLabel *message_ = nullptr, *erasure_ = nullptr, *given_ = nullptr, *pin_message_ = nullptr;
+    QLineEdit *pin_ = nullptr, *pin_password_ = nullptr, *reason_ = nullptr;
     QPushButton* remove_pin_ = nullptr;
     QCheckBox* recordings_ = nullptr;
     QWidget* erasure_fields_ = nullptr;
