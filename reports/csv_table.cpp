@@ -2,26 +2,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/csv_table.h"
 
+#include <string_view>
+
 #include "assessment/csv_reader.h"
 #include "reports/report.h"
 
 namespace placode::reports {
 namespace {
 
-bool looks_like_a_formula(const std::string& text) {
-    const size_t at = text.find_first_not_of('\'');
-    if (at == std::string::npos) return false;
-    return std::string("=+-@\t\r").find(text[at]) != std::string::npos;
+/// Where a program may begin a new cell: with lists that are separated by semicolons (as in
+/// Poland), the text "x;=1" of one cell is two, and the second one a formula.
+constexpr std::string_view kCellEnds = ";\t\n\r";
+
+/// What follows is run: = + - @ tab return, maybe behind quotes that a program takes off.
+bool looks_like_a_formula(std::string_view text) {
+    const size_t at = text.find_first_not_of("'\"");
+    return at != std::string_view::npos &&
+           std::string_view("=+-@\t\r").find(text[at]) != std::string_view::npos;
+}
+
+/// The places where a cell may begin, in order: the first one is 0.
+std::vector<size_t> cell_begins(const std::string& text) {
+    std::vector<size_t> begins{0};
+    for (size_t at = text.find_first_of(kCellEnds); at != std::string::npos;
+         at = text.find_first_of(kCellEnds, at + 1))
+        begins.push_back(at + 1);
+    return begins;
 }
 
 }  // namespace
 
 std::string harmless(const std::string& text) {
-    return looks_like_a_formula(text) ? '\'' + text : text;
+    std::string safe = text;
+    const std::vector<size_t> begins = cell_begins(text);
+    for (auto at = begins.rbegin(); at != begins.rend(); ++at)  // From the end: places stay.
+        if (looks_like_a_formula(std::string_view(text).substr(*at))) safe.insert(*at, 1, '\'');
+    return safe;
 }
 
 std::string as_typed(const std::string& cell) {
-    return !cell.empty() && cell[0] == '\'' && looks_like_a_formula(cell) ? cell.substr(1) : cell;
+    std::string typed = cell;
+    const std::vector<size_t> begins = cell_begins(cell);
+    for (auto at = begins.rbegin(); at != begins.rend(); ++at)
+        if (*at < cell.size() && cell[*at] == '\'' &&
+            looks_like_a_formula(std::string_view(cell).substr(*at)))
+            typed.erase(*at, 1);
+    return typed;
 }
 
 std::string csv_line(const std::vector<std::string>& cells, char separator) {

@@ -10,7 +10,8 @@
 namespace placode::reports {
 
 /// Text that a person typed. A leading = + - @ tab or return would run as a formula, so it gets an
-/// apostrophe in front; so does text that already looks like that, so that it can be undone.
+/// apostrophe in front; so does text that already looks like that, so that it can be undone. The
+/// same after each semicolon, tab and line end, where a program may begin a cell of its own.
 [[nodiscard]] std::string harmless(const std::string& text);
 /// Undoes harmless().
 [[nodiscard]] std::string as_typed(const std::string& cell);

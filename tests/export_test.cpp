@@ -276,17 +276,34 @@ TEST_F(Export, LockAndSignatureOfARecordAreInEveryFormat) {
 }
 
 TEST(CsvTable, EveryCellReadsBackToWhatItWas) {
-    for (const char* typed : {"", "x", "=1", "'=1", "''=1", "'quoted'", "-5", "@x", "a\tb", "\tx",
-                              "line\nbreak", "\"", "a,b", "'", "''"}) {
+    for (const char* typed :
+         {"",        "x",    "=1",    "'=1",         "''=1",    "'quoted'",    "-5",
+          "@x",      "a\tb", "\tx",   "line\nbreak", "\"",      "a,b",         "'",
+          "''",      "x;=1", "x;'=1", ";;=1;-2",     "a\t\t=1", "a\n=1\r\n@b", "x;\"=1",
+          "x;\"'=1", "\"=1", "a;'",   ";",           "\n"}) {
         const auto rows =
             reports::parse_csv(reports::csv_line({"first", reports::harmless(typed), "last"}));
         ASSERT_EQ(rows.size(), 1u);
         ASSERT_EQ(rows[0].size(), 3u);
         EXPECT_EQ(reports::as_typed(rows[0][1]), typed);
+        // However a spreadsheet parts the text: no cell of it is a formula.
+        std::string part;
+        for (const char c : rows[0][1] + ";") {
+            if (std::string(";\t\n\r").find(c) == std::string::npos) {
+                if (c != '"' || !part.empty()) part += c;
+                continue;
+            }
+            if (!part.empty()) {
+                EXPECT_EQ(std::string("=+-@").find(part[0]), std::string::npos) << typed;
+            }
+            part.clear();
+        }
         if (typed[0] != '\0') {
             EXPECT_EQ(std::string("=+-@\t\r").find(rows[0][1][0]), std::string::npos) << typed;
         }
     }
+    EXPECT_EQ(reports::harmless("x;=HYPERLINK(\"a\")"), "x;'=HYPERLINK(\"a\")");
+    EXPECT_EQ(reports::harmless("to do:\n- rest; then -1"), "to do:\n'- rest; then -1");
     EXPECT_THROW((void)reports::parse_csv("a,\"b"), reports::ReportError);
 }
 
