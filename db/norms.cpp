@@ -56,11 +56,21 @@ int64_t Norms::save(const curriculum::SignedNorms& norms) {
         connection_.fail(
             Kind::kRefused,
             Said::that("its signature is wrong: the pack was changed after it was signed"));
-    if (!trusted_centres().contains(norms.public_key))
+    const auto trusted = trusted_centres();
+    const auto known = trusted.find(norms.public_key);
+    if (known == trusted.end())
         connection_.fail(Kind::kRefused,
                          Said::that("its centre \"%1\" with the key %2 is not trusted here")
                              .with(pack.centre)
                              .with(fingerprint(norms.public_key)));
+    // A centre that is trusted signs in its own name only.
+    if (known->second != pack.centre)
+        connection_.fail(
+            Kind::kRefused,
+            Said::that("it says to be of \"%1\", but its key %2 is trusted here as that of \"%3\"")
+                .with(pack.centre)
+                .with(fingerprint(norms.public_key))
+                .with(known->second));
     UnitOfWork work(connection_);
     Statement there(connection_, "SELECT id FROM norm_packs WHERE signature = ?");
     if (there.run(norms.signature).next()) return there.integer(0);

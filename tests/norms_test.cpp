@@ -163,6 +163,17 @@ TEST_P(Norms, AChangedOrUntrustedPackIsRefused) {
     swapped.public_key = db::new_key_pair().public_key;
     EXPECT_THAT(failure_of([&] { store->norms().save(swapped); }).what(),
                 HasSubstr("changed after"));
+    // One that is trusted does not speak for another one.
+    auto posing = pack;
+    posing.centre = "University hospital A";
+    curriculum::SignedNorms theirs;
+    theirs.content = curriculum::norm_pack_text(posing);
+    theirs.signature = db::sign_text(theirs.content, foreign.secret_key);
+    theirs.public_key = foreign.public_key;
+    const auto refused = failure_of([&] { store->norms().save(theirs); });
+    EXPECT_EQ(refused.kind(), StoreError::Kind::kRefused);
+    EXPECT_THAT(refused.what(), HasSubstr("says to be of \"University hospital A\""));
+    EXPECT_THAT(refused.what(), HasSubstr("as that of \"B\""));
     EXPECT_THAT(store->norms().list(""), IsEmpty());
     EXPECT_GT(store->norms().save(norms), 0);
 }

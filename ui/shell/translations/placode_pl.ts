@@ -10833,6 +10833,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>ośrodek "%1" z kluczem %2 nie jest tu zaufany</translation>
     </message>
     <message>
+        <source>it says to be of "%1", but its key %2 is trusted here as that of "%3"</source>
+        <translation>pakiet podaje, że pochodzi z ośrodka "%1", ale jego klucz %2 jest tu zaufany jako klucz ośrodka "%3"</translation>
+    </message>
+    <message>
         <source>%1 is not installed on this computer; install the package postgresql-client</source>
         <translation>na tym komputerze nie ma programu %1; zainstaluj pakiet postgresql-client</translation>
     </message>
