@@ -20,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr fs::perms kOwnerReadsAndWrites = fs::perms::owner_read | fs::perms::owner_write;
+
 /// A folder beside the final place, so that moving is renaming. Gone with everything in it unless
 /// it was emptied.
 class Staging {
@@ -43,13 +45,11 @@ class Staging {
     fs::path path_;
 };
 
-fs::path make_folder(const std::string& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (!fs::is_directory(folder))
-        throw ReportError("export to " + folder +
-                          ": cannot be made a folder; choose another place");
-    return folder;
+/// People's answers and attempts, whoever else has an account on this computer: not for them.
+void close_to_others(const fs::path& folder) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        fs::permissions(entry.path(),
+                        entry.is_directory() ? fs::perms::owner_all : kOwnerReadsAndWrites);
 }
 
 std::vector<ExportedFile> files_in(const fs::path& folder) {
@@ -103,13 +103,35 @@ std::string file_name(const std::string& text) {
     return name.empty() || name[0] == '.' ? "_" + name : name;
 }
 
-void save_file(const std::string& path, const std::string& bytes) {
+void make_private_folder(const std::string& folder) {
+    std::error_code error;
+    const bool made = fs::create_directories(folder, error);
+    if (!fs::is_directory(folder))
+        throw ReportError("export to " + folder +
+                          ": cannot be made a folder; choose another place");
+    if (made) fs::permissions(folder, fs::perms::owner_all);
+}
+
+namespace {
+
+void save(const std::string& path, const std::string& bytes, bool for_owner_alone) {
     QSaveFile file(QString::fromStdString(path));
     const auto size = static_cast<qint64>(bytes.size());
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes.data(), size) == size && file.commit())
+    const auto owner = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
+    // Before the first byte.
+    if (file.open(QIODevice::WriteOnly) && (!for_owner_alone || file.setPermissions(owner)) &&
+        file.write(bytes.data(), size) == size && file.commit())
         return;
     throw ReportError("write " + path + ": " + file.errorString().toStdString() +
                       "; choose a folder that you may write to");
+}
+
+}  // namespace
+
+void save_file(const std::string& path, const std::string& bytes) { save(path, bytes, false); }
+
+void save_private_file(const std::string& path, const std::string& bytes) {
+    save(path, bytes, true);
 }
 
 std::string read_file(const std::string& path) {
@@ -135,11 +157,13 @@ const std::vector<ExportFormat>& export_formats() {
 std::vector<ExportedFile> export_dataset(const ExportSource& source, const std::string& format,
                                          const std::string& folder) {
     const ExportFormat& chosen = format_of(format);
-    const fs::path place = make_folder(folder);
+    make_private_folder(folder);
+    const fs::path place = folder;
     const Staging staging(place);
     chosen.write(source, staging.path().string());
     chosen.verify(source, staging.path().string());
     auto files = files_in(staging.path());
+    close_to_others(staging.path());
     hand_out(staging.path(), place);
     return files;
 }

@@ -40,8 +40,9 @@ struct ExportedFile {
     int64_t bytes = 0;
 };
 
-/// Writes, reads back, compares, hands out. Returns the files. Files of the same name are replaced.
-/// Throws ReportError; the folder is then as it was.
+/// Writes, reads back, compares, hands out. Returns the files, which are for their owner alone
+/// (mode 0600, folders 0700). Files of the same name are replaced. Throws ReportError; the folder
+/// is then as it was.
 std::vector<ExportedFile> export_dataset(const ExportSource& source, const std::string& format,
                                          const std::string& folder);
 
@@ -53,6 +54,11 @@ std::vector<ExportedFile> export_dataset(const ExportSource& source, const std::
 
 /// The whole file, atomically on disk. Throws ReportError.
 void save_file(const std::string& path, const std::string& bytes);
+/// The same with mode 0600: it names people or what they did.
+void save_private_file(const std::string& path, const std::string& bytes);
+/// A folder that is made here is for its owner alone (0700); one that is there stays as it is.
+/// Throws ReportError.
+void make_private_folder(const std::string& folder);
 [[nodiscard]] std::string read_file(const std::string& path);
 
 }  // namespace placode::reports

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/people_file.h"
 
-#include <QDir>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -273,13 +272,15 @@ OwnData write_own_data(db::Store& store, int64_t user_id, const std::string& fol
     for (const db::AttemptRecord& record : attempts) list.append(attempt_json(store, record));
     json["attempts"] = list;
     written.attempts = static_cast<int>(attempts.size());
-    QDir().mkpath(QString::fromStdString(folder));
-    save_file(folder + "/my_data.json", QJsonDocument(json).toJson().toStdString());
+    make_private_folder(folder);
+    save_private_file(folder + "/my_data.json", QJsonDocument(json).toJson().toStdString());
     for (const db::AttemptRecord& record : attempts) {
         if (!with_recordings) break;
         try {
-            store.attempts().extract_recording(
-                record.id, folder + "/attempt_" + std::to_string(record.id) + ".placode");
+            const std::string file =
+                folder + "/attempt_" + std::to_string(record.id) + ".placode";
+            store.attempts().extract_recording(record.id, file);
+            ::chmod(file.c_str(), S_IRUSR | S_IWUSR);
             ++written.recordings;
         } catch (const db::StoreError& problem) {
             // A score from elsewhere has no recording; everything else is told.

@@ -37,6 +37,14 @@ TEST_F(Export, EveryFormatIsWrittenAndReadBack) {
         }
         for (const auto& entry : fs::directory_iterator(out(format.name)))
             EXPECT_NE(entry.path().filename().string()[0], '.') << "staging is left: " << entry;
+        // Nobody else on this computer reads them.
+        const auto open_to_others = [](const fs::path& path) {
+            return (fs::status(path).permissions() & (fs::perms::group_all | fs::perms::others_all)) !=
+                   fs::perms::none;
+        };
+        EXPECT_FALSE(open_to_others(out(format.name))) << format.name;
+        for (const auto& entry : fs::recursive_directory_iterator(out(format.name)))
+            EXPECT_FALSE(open_to_others(entry.path())) << entry;
     }
 }
 

@@ -151,6 +151,11 @@ TEST_F(PeopleFile, WritesWhatIsKeptAboutOnePersonOnly) {
     const OwnData written = write_own_data(*store_, anna, folder_.file("mine"), true);
     EXPECT_EQ(written.attempts, 1);
     EXPECT_EQ(written.recordings, 0);
+    for (const auto& [made, mode] : {std::pair{"mine", 0700u}, {"mine/my_data.json", 0600u}}) {
+        struct stat status {};
+        ASSERT_EQ(::stat(folder_.file(made).c_str(), &status), 0) << made;
+        EXPECT_EQ(status.st_mode & 07777, mode) << made;
+    }
     std::ifstream in(folder_.file("mine/my_data.json"));
     std::ostringstream text;
     text << in.rdbuf();

@@ -280,7 +280,7 @@ class CohortPage : public Page {
         context_.guard(tr("Exporting the cohort"), [&] {
             context_.require(db::Action::kViewPersonalData, db::Scope::kOther);
             const std::string csv = cohort_csv(people_);
-            reports::save_file(path.toStdString(), csv);
+            reports::save_private_file(path.toStdString(), csv);
             context_.audit("export.cohort", "cohort", path);
             Q_EMIT written(tr("Cohort written: %1").arg(path), path);
         });
