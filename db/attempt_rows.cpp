@@ -51,7 +51,8 @@ const std::string& attempt_columns() {
         "t.end_reason, t.demonstration, t.points, t.verdict, t.rubric_id, t.rubric_version, "
         "t.metric_set_version, t.preprocessing_version, t.generated_from, t.exam_course, "
         "t.exam_course_version, t.exam_stage, t.proctor, t.device_certificate, t.haptic_grade, "
-        "t.exam_begin, t.void_reason, t.void_meaning, t.replay, t.study, t.participant, CASE WHEN " +
+        "t.exam_begin, t.void_reason, t.void_meaning, t.replay, t.study, t.participant, CASE "
+        "WHEN " +
         only_shows("t") +
         " AND NOT EXISTS (SELECT 1 FROM participant_states s WHERE s.study_id = t.study AND s.code "
         "= t.participant AND s.demonstration = 1) THEN 1 ELSE 0 END AS only_shows FROM attempts t "

@@ -277,8 +277,7 @@ OwnData write_own_data(db::Store& store, int64_t user_id, const std::string& fol
     for (const db::AttemptRecord& record : attempts) {
         if (!with_recordings) break;
         try {
-            const std::string file =
-                folder + "/attempt_" + std::to_string(record.id) + ".placode";
+            const std::string file = folder + "/attempt_" + std::to_string(record.id) + ".placode";
             store.attempts().extract_recording(record.id, file);
             ::chmod(file.c_str(), S_IRUSR | S_IWUSR);
             ++written.recordings;

@@ -39,8 +39,8 @@ TEST_F(Export, EveryFormatIsWrittenAndReadBack) {
             EXPECT_NE(entry.path().filename().string()[0], '.') << "staging is left: " << entry;
         // Nobody else on this computer reads them.
         const auto open_to_others = [](const fs::path& path) {
-            return (fs::status(path).permissions() & (fs::perms::group_all | fs::perms::others_all)) !=
-                   fs::perms::none;
+            return (fs::status(path).permissions() &
+                    (fs::perms::group_all | fs::perms::others_all)) != fs::perms::none;
         };
         EXPECT_FALSE(open_to_others(out(format.name))) << format.name;
         for (const auto& entry : fs::recursive_directory_iterator(out(format.name)))
