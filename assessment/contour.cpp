@@ -7,16 +7,15 @@
 #include <cmath>
 
 #include "assessment/statistics.h"
-#include "assessment/tissue_metrics.h"
+#include "assessment/tissue_metric_parts.h"
 
 namespace placode::assessment {
 
 namespace {
 
-constexpr double kBinM = 0.0005;         // about the default ring element
-constexpr double kToleranceM = 0.001;    // counts as cutting the planned line
-constexpr double kReachM = 0.004;        // further away it is no part of the ring
-constexpr double kOutsideSkinM = 0.001;  // into healthy skin
+constexpr double kBinM = 0.0005;       // about the default ring element
+constexpr double kToleranceM = 0.001;  // counts as cutting the planned line
+constexpr double kReachM = 0.004;      // further away it is no part of the ring
 constexpr double kTowardPlacodeM = 0.0005;
 
 double directed_hausdorff(std::span<const Vec3> from, std::span<const Vec3> to) {

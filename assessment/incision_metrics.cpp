@@ -108,6 +108,14 @@ void add_incision(const sim::Recording& recording, std::vector<Metric>& out) {
     out.push_back({"toward_placode_mm", toward_m * 1e3});
 }
 
+void add_burned_skin(const sim::Recording& recording, std::vector<Metric>& out) {
+    const HealthySkin skin(recording.header.geometry);
+    double burned_m3 = 0;
+    for (const sim::Event& event : recording.events)
+        if (event.value > 0 && skin.burned(event)) burned_m3 += event.value;
+    out.push_back({"skin_burned_mm3", burned_m3 * 1e9});
+}
+
 void add_cutting_economy(const sim::Recording& recording, std::vector<Metric>& out) {
     const auto& line = recording.header.geometry.planned_contour;
     if (line.size() < 3) return;

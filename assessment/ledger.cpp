@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "assessment/scoring.h"
-#include "assessment/tissue_metrics.h"
+#include "assessment/tissue_metric_parts.h"
 
 namespace placode::assessment {
 namespace {
@@ -54,25 +54,19 @@ const KindRule* rule_of(EventKind kind) {
     return nullptr;
 }
 
-bool is_skin(Tissue tissue) { return tissue == Tissue::kSkin || tissue == Tissue::kThinSkin; }
-
 /// Losing an element is harm in the placode and in healthy skin; elsewhere it is the task itself. A
 /// tear is harm everywhere: the task asks for none.
 class WrongPlace {
  public:
-    explicit WrongPlace(const sim::FieldGeometry& geometry) {
-        if (geometry.skin_edge.size() >= 3) skin_.emplace(geometry.skin_edge);
-    }
+    explicit WrongPlace(const sim::FieldGeometry& geometry) : skin_(geometry) {}
     [[nodiscard]] bool operator()(const Event& event) const {
         if (event.tissue == Tissue::kPlacode || event.kind == EventKind::kTorn) return true;
         if (event.kind == EventKind::kSnipped) return is_skin(event.tissue);
-        // A kerf may reach 1 mm into the skin.
-        const Vec2 at(event.rest_position_m[0], event.rest_position_m[1]);
-        return is_skin(event.tissue) && skin_ && skin_->nearest(at).offset > 0.001;
+        return skin_.burned(event);
     }
 
  private:
-    std::optional<ClosedContour> skin_;
+    HealthySkin skin_;
 };
 
 LedgerEntry entry_of(const Event& event, const KindRule& rule, const sim::FieldGeometry& geometry) {

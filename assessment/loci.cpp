@@ -11,7 +11,7 @@
 #include "assessment/loci_line.h"
 #include "assessment/motion_metrics.h"
 #include "assessment/patch_metrics.h"
-#include "assessment/tissue_metrics.h"
+#include "assessment/tissue_metric_parts.h"
 #include "assessment/undermine_metrics.h"
 #include "assessment/wash_metrics.h"
 
@@ -180,10 +180,6 @@ Locus locate_out_of_view(const sim::Recording& recording) {
     return locus;
 }
 
-bool is_skin(const Event& e) {
-    return e.tissue == sim::Tissue::kSkin || e.tissue == sim::Tissue::kThinSkin;
-}
-
 /// Metrics that come from one class of tissue.
 std::optional<Locus> locate_tissue(std::string_view metric, const sim::Recording& recording) {
     const auto torn = [](const Event& e) { return e.kind == EventKind::kTorn; };
@@ -194,10 +190,17 @@ std::optional<Locus> locate_tissue(std::string_view metric, const sim::Recording
         });
     }
     if (metric == "torn_skin_mm3")
-        return locate_first(recording, [&](const Event& e) { return torn(e) && is_skin(e); });
+        return locate_first(recording,
+                            [&](const Event& e) { return torn(e) && is_skin(e.tissue); });
+    if (metric == "skin_burned_mm3") {
+        const HealthySkin skin(recording.header.geometry);
+        return locate_first(recording,
+                            [&](const Event& e) { return e.value > 0 && skin.burned(e); });
+    }
     if (metric == "skin_snip_mm2") {
-        return locate_first(
-            recording, [](const Event& e) { return e.kind == EventKind::kSnipped && is_skin(e); });
+        return locate_first(recording, [](const Event& e) {
+            return e.kind == EventKind::kSnipped && is_skin(e.tissue);
+        });
     }
     return std::nullopt;
 }

@@ -99,6 +99,11 @@ constexpr MetricDefinition kMetrics[] = {
      "Undeformed volume of elements torn by stretch.", "Placode"},
     {"torn_skin_mm3", "Torn skin", "mm3", kLowerIsBetter,
      "Undeformed volume of skin elements torn by stretch.", "Placode"},
+    {"skin_burned_mm3", "Burned skin", "mm3", kLowerIsBetter,
+     "Undeformed volume of skin that heat removed more than 1 mm outside the lesion's edge, "
+     "however "
+     "far from the plan.",
+     "Placode"},
     {"released_deg", "Placode released", "deg", kHigherIsBetter,
      "Sectors of 5 degrees in which no tissue leads from the placode to the skin.", "Placode"},
     {"placode_snip_mm2", "Placode cut by scissors", "mm2", kLowerIsBetter,

@@ -4,11 +4,14 @@
 // Parts of add_tissue_metrics() by subject. Private to assessment.
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "assessment/tissue_metrics.h"
 
 namespace placode::assessment {
+
+inline constexpr double kOutsideSkinM = 0.001;  ///< Farther into healthy skin no kerf may reach.
 
 /// Events of one kind in the ledger.
 struct EventSum {
@@ -31,6 +34,26 @@ struct EventSum {
     return tissue == sim::Tissue::kSkin || tissue == sim::Tissue::kThinSkin;
 }
 
+/// Which of what heat removed was healthy skin. A kerf may reach 1 mm beyond the edge of the
+/// lesion, wherever the plan runs; farther out nothing is part of the operation, however far it is.
+/// Where a scene has no lesion, or an event no place, nothing excuses the loss.
+class HealthySkin {
+ public:
+    explicit HealthySkin(const sim::FieldGeometry& geometry) {
+        if (geometry.skin_edge.size() >= 3) edge_.emplace(geometry.skin_edge);
+    }
+    [[nodiscard]] bool burned(const sim::Event& event) const noexcept {
+        if (event.kind != sim::EventKind::kVaporised || !is_skin(event.tissue)) return false;
+        const Vec2 at(event.rest_position_m[0], event.rest_position_m[1]);
+        return !edge_ || !at.allFinite() || edge_->nearest(at).offset > kOutsideSkinM;
+    }
+
+ private:
+    std::optional<ClosedContour> edge_;
+};
+
+/// Skin that heat removed outside of the lesion.
+void add_burned_skin(const sim::Recording& recording, std::vector<Metric>& out);
 /// Where the incision runs, from what was removed.
 void add_incision(const sim::Recording& recording, std::vector<Metric>& out);
 /// How much of the ring is cut, from the number that the picture showed, and its gaps.

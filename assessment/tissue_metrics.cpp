@@ -124,6 +124,7 @@ void add_buried(const sim::Recording& recording, std::vector<Metric>& out) {
 void add_tissue_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
     add_incision(recording, out);
     if (recording.samples.empty()) return;
+    add_burned_skin(recording, out);
     add_ring(recording, out);
     add_buried(recording, out);
     add_placode(recording, out);

@@ -40,7 +40,7 @@ constexpr Rule kRules[]{
     {"buried_", MetricGroup::kTissue},
     {"over_stretch", MetricGroup::kTissue},
     {"max_stretch", MetricGroup::kTissue},
-    {"skin_snip", MetricGroup::kTissue},
+    {"skin_", MetricGroup::kTissue},
     {"crush_", MetricGroup::kTissue},
     {"snips", MetricGroup::kResection},
     {"pieces", MetricGroup::kResection},

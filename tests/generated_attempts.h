@@ -116,11 +116,12 @@ class AttemptMaker {
             &AttemptMaker::bury,          &AttemptMaker::stretch,      &AttemptMaker::jaws,
             &AttemptMaker::snip_skin,     &AttemptMaker::miss,         &AttemptMaker::cut_astray,
             &AttemptMaker::dawdle,        &AttemptMaker::look_away,    &AttemptMaker::stitch,
-            &AttemptMaker::shift_patch,   &AttemptMaker::wash_badly,   &AttemptMaker::dig};
+            &AttemptMaker::shift_patch,   &AttemptMaker::wash_badly,   &AttemptMaker::dig,
+            &AttemptMaker::burn_skin};
         (this->*kinds[which])(recording);
         sort(recording);
     }
-    static constexpr size_t kHarms = 18;
+    static constexpr size_t kHarms = 19;
 
     /// Some of what is asked, some harm.
     sim::Recording some(const curriculum::Task& task) {
@@ -434,6 +435,13 @@ class AttemptMaker {
         const double offset = whole(0, 1) == 0 ? number(0.0036, 0.0039) : number(-0.0014, -0.0011);
         put(r, EventKind::kVaporised, number(1, 29), number(1e-12, 2e-11), 0.0004,
             (kPlan + offset) * std::cos(a), (kPlan + offset) * std::sin(a));
+    }
+    /// Healthy skin, from beside the lesion to the edge of the field.
+    void burn_skin(sim::Recording& r) {
+        const double a = number(0, 2 * std::numbers::pi), from = number(0.0096, 0.02);
+        put(r, EventKind::kVaporised, number(1, 29), number(1e-12, 4e-9), 0.0002,
+            from * std::cos(a), from * std::sin(a), 0,
+            whole(0, 1) == 0 ? sim::Tissue::kSkin : sim::Tissue::kThinSkin);
     }
     void dawdle(sim::Recording& r) {
         const int more = whole(1, 6000);

@@ -323,6 +323,31 @@ TEST_P(ScoringProperties, TornStretchedAndBuriedTissueCosts) {
     EXPECT_GE(lost(sim::EventKind::kBuried, 2, -1), 2);
 }
 
+/// Wherever current can burn skin, it costs, beside the line and at the rim of the field alike: no
+/// distance from the plan makes it nobody's business.
+TEST_P(ScoringProperties, BurnedHealthySkinCostsHoweverFarFromTheLine) {
+    const bool current =
+        std::any_of(task.scene.tools.begin(), task.scene.tools.end(), [](const auto& tool) {
+            return tool.kind == sim::ToolKind::kNeedle || tool.kind == sim::ToolKind::kHook;
+        });
+    if (!current) return;  // nothing burns here
+    for (const double beyond_m : {0.0041, 0.006, 0.03}) {
+        const auto burned = [&](double volume_m3) {
+            sim::Recording recording = done(task, 1);
+            AttemptMaker::put(recording, sim::EventKind::kVaporised, 12, volume_m3, 0.0002,
+                              0.006 + beyond_m, 0, 0, sim::Tissue::kSkin);
+            return score_of(task, recording);
+        };
+        const Score little = burned(2.5e-9), much = burned(2e-8);
+        EXPECT_LE(little.points, 95) << beyond_m << told(little);
+        EXPECT_LE(much.points, 80) << beyond_m << told(much);
+        // Exercises: nobody is operated on.
+        if (task.steps.empty()) {
+            EXPECT_EQ(much.verdict, Verdict::kFailed) << beyond_m;
+        }
+    }
+}
+
 /// "Gentle with tissue, no points lost" is not said over 2 mm3 that tore, nor over a tip in tissue.
 TEST_P(ScoringProperties, WhoTearsOrBuriesIsNotCalledGentle) {
     const auto judged = [&](sim::EventKind kind, double value) {

@@ -286,6 +286,29 @@ TEST(TissueMetrics, AGapAShallowCutAndAnInwardCutAreSeen) {
     EXPECT_NEAR(*outward.find("outside_band_mm"), 2 * std::numbers::pi * 6, 0.01);
 }
 
+TEST(TissueMetrics, BurnedSkinCountsBeyondTheEdgeHoweverFarItIs) {
+    sim::Recording recording = ring(0, 359, 0);
+    const auto burned = [&](double radius_m, sim::Tissue tissue) {
+        sim::Recording more = recording;
+        sim::Event event;
+        event.kind = sim::EventKind::kVaporised;
+        event.value = 2e-9F;
+        event.tissue = tissue;
+        event.rest_position_m = {0, static_cast<float>(radius_m), 0};
+        more.events.push_back(event);
+        return *compute_metrics(more).find("skin_burned_mm3");
+    };
+    const double edge_m = recording.header.geometry.skin_edge[0].norm();
+    EXPECT_EQ(*compute_metrics(recording).find("skin_burned_mm3"), 0);
+    EXPECT_EQ(burned(edge_m + 0.0009, sim::Tissue::kSkin), 0) << "a kerf may reach so far";
+    EXPECT_NEAR(burned(edge_m + 0.0011, sim::Tissue::kThinSkin), 2, 1e-6);
+    EXPECT_NEAR(burned(0.05, sim::Tissue::kSkin), 2, 1e-6);
+    EXPECT_EQ(burned(0.05, sim::Tissue::kSubcutis), 0);
+    EXPECT_NEAR(burned(std::nan(""), sim::Tissue::kSkin), 2, 1e-6) << "it says not where";
+    recording.header.geometry.skin_edge.clear();
+    EXPECT_NEAR(burned(0, sim::Tissue::kSkin), 2, 1e-6) << "no lesion, no excuse";
+}
+
 TEST(TissueMetrics, LedgerAndSamplesBecomeMetrics) {
     sim::Recording recording = ring(0, 359, 0);
     const auto add = [&](sim::EventKind kind, float value, float value2,

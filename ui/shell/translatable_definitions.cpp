@@ -88,6 +88,9 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition", "Time with the force above the scene's limit."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Undeformed volume of elements torn by stretch."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Undeformed volume of skin elements torn by stretch."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Undeformed volume of skin that heat removed more than 1 mm outside the "
+                      "lesion's edge, however far from the plan."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
         "Sectors of 5 degrees in which no tissue leads from the placode to the skin."),

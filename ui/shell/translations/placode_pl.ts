@@ -2898,6 +2898,10 @@
         <translation>Rozdarta skóra</translation>
     </message>
     <message>
+        <source>Burned skin</source>
+        <translation>Wypalona skóra</translation>
+    </message>
+    <message>
         <source>Path length</source>
         <translation>Długość drogi</translation>
     </message>
@@ -3406,6 +3410,10 @@
     <message>
         <source>Undeformed volume of skin elements torn by stretch.</source>
         <translation>Objętość spoczynkowa elementów skóry rozerwanych przez rozciąganie.</translation>
+    </message>
+    <message>
+        <source>Undeformed volume of skin that heat removed more than 1 mm outside the lesion&apos;s edge, however far from the plan.</source>
+        <translation>Objętość spoczynkowa skóry usuniętej przez ciepło ponad 1 mm poza brzegiem zmiany, niezależnie od odległości od planu.</translation>
     </message>
     <message>
         <source>Sectors of 5 degrees in which no tissue leads from the placode to the skin.</source>
