@@ -11,6 +11,7 @@
 #include "assessment/loci_line.h"
 #include "assessment/motion_metrics.h"
 #include "assessment/patch_metrics.h"
+#include "assessment/practice.h"
 #include "assessment/tissue_metric_parts.h"
 #include "assessment/undermine_metrics.h"
 #include "assessment/wash_metrics.h"
@@ -55,7 +56,6 @@ constexpr EventSource kSources[]{
     {"grasps", EventKind::kGrasped, Show::kLast, false},
     {"lift_hold_s", EventKind::kReleased, Show::kLast, false},
     {"target_misses", sim::EventKind::kTargetMissed, Show::kFirst, false},
-    {"target_error_mm", sim::EventKind::kTargetTouched, Show::kStrongest, false},
     {"steps_done_percent", sim::EventKind::kStepDone, Show::kLast, false},
     {"traction_held_s", sim::EventKind::kTractionHeld, Show::kLast, false},
     {"draw_pull_least_mn", sim::EventKind::kThreadDrawn, Show::kWeakest, false},
@@ -205,6 +205,19 @@ std::optional<Locus> locate_tissue(std::string_view metric, const sim::Recording
     return std::nullopt;
 }
 
+/// The first touch that came down farthest from its target.
+std::optional<Locus> locate_touch(std::string_view metric, const sim::Recording& recording) {
+    if (metric != "target_error_mm") return std::nullopt;
+    Locus locus;
+    const Event* worst = nullptr;
+    for (const Event* touch : first_touches(recording)) {
+        ++locus.count;
+        if (worst == nullptr || touch->value2 > worst->value2) worst = touch;
+    }
+    if (worst != nullptr) use_event(locus, *worst, false);
+    return locus;
+}
+
 /// Metrics of needle and thread that more than one kind of event counts, or not every event.
 std::optional<Locus> locate_suture(std::string_view metric, const sim::Recording& recording) {
     if (metric == "needle_slips") {
@@ -340,6 +353,7 @@ Locus locate(std::string_view metric, double threshold, const sim::Recording& re
     for (const EventSource& source : kSources)
         if (source.metric == metric) return locate_events(source, recording);
     if (const auto found = locate_tissue(metric, recording)) return *found;
+    if (const auto found = locate_touch(metric, recording)) return *found;
     if (const auto found = locate_suture(metric, recording)) return *found;
     if (const auto found = locate_bite(metric, recording)) return *found;
     if (const auto found = locate_patch(metric, recording)) return *found;

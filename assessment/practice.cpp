@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
 
 #include "assessment/statistics.h"
 
@@ -126,17 +128,57 @@ std::span<const sim::Event> PracticeTracker::end(double time_s) noexcept {
     return {events_.data(), event_count_};
 }
 
+namespace {
+
+/// How far from the line each stretch of it was followed [m]; nothing where it was not.
+///
+/// Of a stretch counts its worst pass. A pass ends wherever the tip crosses into the next stretch,
+/// so a wobble across one border makes any number of them: neither a mean over passes nor one over
+/// the passes of a stretch would keep a fault, and the best one would let a good second lap wipe
+/// out a bad first. Whoever goes back to mend a stretch loses nothing by it: that it was followed
+/// at all, which earns the points, is said by its best pass.
+std::vector<double> worst_passes(const sim::Recording& recording) {
+    std::array<std::optional<double>, sim::kTraceBins> worst{};
+    for (const sim::Event& e : recording.events) {
+        if (e.kind != sim::EventKind::kTraced) continue;
+        // What says another stretch than there are is a fault of the last one, and not forgotten.
+        const double bin = std::clamp(static_cast<double>(e.value), 0.0, sim::kTraceBins - 1.0);
+        auto& here = worst[std::isfinite(bin) ? static_cast<size_t>(bin) : 0];
+        here = std::max(here.value_or(0), static_cast<double>(e.value2));
+    }
+    std::vector<double> passes;
+    for (const auto& each : worst)
+        if (each) passes.push_back(*each);
+    return passes;
+}
+
+double mean_of(const std::vector<double>& values) {
+    double mean = 0;
+    for (const double value : values) mean += value / static_cast<double>(values.size());
+    return mean;
+}
+
+}  // namespace
+
+std::vector<const sim::Event*> first_touches(const sim::Recording& recording) {
+    std::map<float, const sim::Event*> first;
+    for (const sim::Event& e : recording.events)
+        if (e.kind == sim::EventKind::kTargetTouched) first.emplace(e.value, &e);
+    std::vector<const sim::Event*> touches;
+    for (const auto& [step, event] : first) touches.push_back(event);
+    return touches;
+}
+
 void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
     int steps = 0, done = 0, misses = 0;
     bool aims = false, traces = false, pulls = false;
-    std::vector<double> errors, offsets;
+    std::vector<double> errors;
     std::array<bool, sim::kTraceBins> traced{};
     double held = 0;
     std::optional<double> loosest_n;
     for (const sim::Event& e : recording.events) {
         if (e.kind == sim::EventKind::kPracticeSteps) steps = static_cast<int>(e.value);
         if (e.kind == sim::EventKind::kStepDone) ++done;
-        if (e.kind == sim::EventKind::kTargetTouched) errors.push_back(e.value2);
         if (e.kind == sim::EventKind::kTargetMissed) ++misses;
         if (e.kind == sim::EventKind::kTractionHeld) {
             held += e.value;
@@ -148,28 +190,23 @@ void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& 
         }
         if (e.kind == sim::EventKind::kTraced) {
             traces = true;
-            offsets.push_back(e.value2);
             const auto bin = static_cast<size_t>(std::max(0.0F, e.value));
             if (bin < traced.size() && e.value2 <= kTracedWithinM) traced[bin] = true;
         }
     }
     if (steps == 0) return;
+    for (const sim::Event* touch : first_touches(recording)) errors.push_back(touch->value2);
     aims = misses > 0 || !errors.empty();
     out.push_back({"steps_done_percent", 100.0 * done / steps});
     if (aims) out.push_back({"target_misses", static_cast<double>(misses)});
-    if (!errors.empty()) {
-        double mean = 0;
-        for (const double e : errors) mean += e / static_cast<double>(errors.size());
-        out.push_back({"target_error_mm", mean * 1e3});
-    }
+    if (!errors.empty()) out.push_back({"target_error_mm", mean_of(errors) * 1e3});
     if (traces) {
+        std::vector<double> offsets = worst_passes(recording);
         std::sort(offsets.begin(), offsets.end());
-        double mean = 0;
-        for (const double o : offsets) mean += o / static_cast<double>(offsets.size());
         const auto covered = std::count(traced.begin(), traced.end(), true);
         out.push_back(
             {"trace_coverage_percent", 100.0 * static_cast<double>(covered) / sim::kTraceBins});
-        out.push_back({"trace_error_mm", mean * 1e3});
+        out.push_back({"trace_error_mm", mean_of(offsets) * 1e3});
         out.push_back({"trace_error_p95_mm", quantile(offsets, 0.95) * 1e3});
     }
     if (pulls) out.push_back({"traction_held_s", held});

@@ -145,6 +145,9 @@ class PracticeTracker {
     size_t event_count_ = 0;
 };
 
+/// Of each target the touch that came first: whoever taps it again has aimed at it already.
+[[nodiscard]] std::vector<const sim::Event*> first_touches(const sim::Recording& recording);
+
 /// Metrics of practice from the events of a recording; nothing where it had no steps.
 void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& out);
 

@@ -117,11 +117,11 @@ class AttemptMaker {
             &AttemptMaker::snip_skin,     &AttemptMaker::miss,         &AttemptMaker::cut_astray,
             &AttemptMaker::dawdle,        &AttemptMaker::look_away,    &AttemptMaker::stitch,
             &AttemptMaker::shift_patch,   &AttemptMaker::wash_badly,   &AttemptMaker::dig,
-            &AttemptMaker::burn_skin};
+            &AttemptMaker::burn_skin,     &AttemptMaker::trace_again};
         (this->*kinds[which])(recording);
         sort(recording);
     }
-    static constexpr size_t kHarms = 19;
+    static constexpr size_t kHarms = 20;
 
     /// Some of what is asked, some harm.
     sim::Recording some(const curriculum::Task& task) {
@@ -435,6 +435,17 @@ class AttemptMaker {
         const double offset = whole(0, 1) == 0 ? number(0.0036, 0.0039) : number(-0.0014, -0.0011);
         put(r, EventKind::kVaporised, number(1, 29), number(1e-12, 2e-11), 0.0004,
             (kPlan + offset) * std::cos(a), (kPlan + offset) * std::sin(a));
+    }
+    /// Over the first stretch of the line again and again, well or badly: it was followed already.
+    void trace_again(sim::Recording& r) {
+        const double when = number(25, 29), offset = number(1e-5, 0.003);
+        const int passes = whole(1, 200);
+        const auto first = std::find_if(r.events.begin(), r.events.end(), [](const Event& e) {
+            return e.kind == EventKind::kTraced;
+        });
+        if (first == r.events.end()) return;
+        const int bin = static_cast<int>(first->value);
+        for (int i = 0; i < passes; ++i) put(r, EventKind::kTraced, when, bin, offset);
     }
     /// Healthy skin, from beside the lesion to the edge of the field.
     void burn_skin(sim::Recording& r) {

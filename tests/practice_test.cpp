@@ -176,6 +176,84 @@ TEST(Practice, TracingMeasuresTheDistanceFromTheLine) {
     EXPECT_GT(*metrics.find("trace_coverage_percent"), 95);
 }
 
+/// A traced line as events: every stretch at `offset_m`.
+sim::Recording traced(double offset_m) {
+    sim::Recording recording;
+    const auto add = [&](sim::EventKind kind, int value, double value2) {
+        sim::Event event;
+        event.kind = kind;
+        event.value = static_cast<float>(value);
+        event.value2 = static_cast<float>(value2);
+        recording.events.push_back(event);
+    };
+    add(sim::EventKind::kPracticeSteps, 1, 0);
+    for (int bin = 0; bin < sim::kTraceBins; ++bin) add(sim::EventKind::kTraced, bin, offset_m);
+    return recording;
+}
+
+MetricSet practice_metrics(const sim::Recording& recording) {
+    MetricSet set;
+    add_practice_metrics(recording, set.values);
+    return set;
+}
+
+TEST(Practice, NeitherAWobbleOnTheSpotNorASecondLapWipesOutABadTrace) {
+    const sim::Recording bad = traced(0.0009);
+    EXPECT_NEAR(*practice_metrics(bad).find("trace_error_mm"), 0.9, 1e-4);
+    sim::Recording wobble = bad, lap = bad;
+    for (int i = 0; i < 1500; ++i) {
+        sim::Event pass = bad.events[static_cast<size_t>(11 + i % 2)];
+        pass.value2 = 2e-5F;
+        wobble.events.push_back(pass);
+    }
+    const sim::Recording good = traced(2e-5);
+    for (int i = 0; i < 20; ++i)
+        lap.events.insert(lap.events.end(), good.events.begin() + 1, good.events.end());
+    for (const sim::Recording* each : {&wobble, &lap}) {
+        const MetricSet metrics = practice_metrics(*each);
+        EXPECT_NEAR(*metrics.find("trace_error_mm"), 0.9, 1e-4);
+        EXPECT_NEAR(*metrics.find("trace_error_p95_mm"), 0.9, 1e-4);
+        EXPECT_EQ(*metrics.find("trace_coverage_percent"), 100);
+    }
+    // A stretch that is mended is no worse for it, and one more fault is one stretch's.
+    sim::Recording fault = good;
+    fault.events.push_back(bad.events[20]);
+    const MetricSet once = practice_metrics(fault);
+    EXPECT_NEAR(*once.find("trace_error_mm"), 0.02 + 0.88 / sim::kTraceBins, 1e-4);
+    for (int i = 0; i < 100; ++i) fault.events.push_back(bad.events[20]);
+    EXPECT_EQ(*practice_metrics(fault).find("trace_error_mm"), *once.find("trace_error_mm"));
+}
+
+TEST(Practice, APassThatSaysAnotherStretchIsStillAFault) {
+    sim::Recording odd = traced(0.0001);
+    for (const float bin : {-3.0F, 1e9F, std::nanf("")}) {
+        sim::Event pass = odd.events[1];
+        pass.value = bin;
+        pass.value2 = 0.002F;
+        odd.events.push_back(pass);
+    }
+    EXPECT_GT(*practice_metrics(odd).find("trace_error_mm"), 0.1);
+}
+
+TEST(Practice, OnlyTheFirstTouchOfATargetSaysHowWellItWasAimedAt) {
+    sim::Recording recording = traced(0.0001);
+    const auto touch = [&](int step, double error_m) {
+        sim::Event event;
+        event.kind = sim::EventKind::kTargetTouched;
+        event.time_s = static_cast<double>(recording.events.size());
+        event.value = static_cast<float>(step);
+        event.value2 = static_cast<float>(error_m);
+        recording.events.push_back(event);
+        return event.time_s;
+    };
+    touch(0, 0.0003);
+    const double worst_s = touch(1, 0.0009);
+    for (int i = 0; i < 200; ++i) touch(1, 1e-5);
+    touch(0, 0.00095);
+    EXPECT_NEAR(*practice_metrics(recording).find("target_error_mm"), 0.6, 1e-4);
+    EXPECT_EQ(locate("target_error_mm", 0, recording).time_s, worst_s);
+}
+
 TEST(Practice, HalfARingFarFromTheLineCoversNothing) {
     Attempt attempt({{.kind = PracticeKind::kTrace, .tolerance_m = 0.001}});
     go_around(attempt, 0.0015, 180);

@@ -203,15 +203,17 @@ namespace {
                       "equivalent minutes at 43 C."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Share of the task's steps that were done."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Mean distance from the target's centre where tissue was first touched."),
+                      "Mean distance from the target's centre where tissue was first touched, one "
+                      "touch a target."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Times that tissue was touched or grasped beside the target."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Share of the planned contour along which the tip passed within 1 mm."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Mean distance of the tip from the planned contour while it was followed."),
+                      "Mean distance of the tip from the planned contour over stretches of 5 "
+                      "degrees, of each its worst pass."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "95th percentile of that distance, over stretches of 5 degrees."),
+                      "95th percentile of that distance, over the same stretches."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Time during which both hands pulled within the task's limits."),
     QT_TRANSLATE_NOOP(

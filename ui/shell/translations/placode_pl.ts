@@ -3660,8 +3660,8 @@
         <translation>Część kroków zadania, które wykonano.</translation>
     </message>
     <message>
-        <source>Mean distance from the target's centre where tissue was first touched.</source>
-        <translation>Średnia odległość miejsca pierwszego dotknięcia tkanki od środka celu.</translation>
+        <source>Mean distance from the target's centre where tissue was first touched, one touch a target.</source>
+        <translation>Średnia odległość miejsca pierwszego dotknięcia tkanki od środka celu, jedno dotknięcie na cel.</translation>
     </message>
     <message>
         <source>Times that tissue was touched or grasped beside the target.</source>
@@ -3672,12 +3672,12 @@
         <translation>Część planowanej linii, wzdłuż której końcówka przeszła w odległości do 1 mm.</translation>
     </message>
     <message>
-        <source>Mean distance of the tip from the planned contour while it was followed.</source>
-        <translation>Średnia odległość końcówki od planowanej linii podczas prowadzenia.</translation>
+        <source>Mean distance of the tip from the planned contour over stretches of 5 degrees, of each its worst pass.</source>
+        <translation>Średnia odległość końcówki od planowanej linii na odcinkach po 5 stopni, z każdego najgorsze przejście.</translation>
     </message>
     <message>
-        <source>95th percentile of that distance, over stretches of 5 degrees.</source>
-        <translation>95. percentyl tej odległości, na odcinkach po 5 stopni.</translation>
+        <source>95th percentile of that distance, over the same stretches.</source>
+        <translation>95. percentyl tej odległości, na tych samych odcinkach.</translation>
     </message>
     <message>
         <source>Distance of the needle's last entry from its mark, along the tissue at rest.</source>
