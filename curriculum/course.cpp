@@ -53,6 +53,9 @@ StageProgress stage_progress(const Course& course, const CourseStage& stage,
                 continue;
             }
         }
+        // Else whoever leaves every attempt that goes badly has met the benchmark "in a row".
+        if (outcome.given_up && outcome.task_id == stage.task_id && stage.mode != StageMode::kExam)
+            progress.streak = 0;
         if (!counts_for(course, stage, outcome)) continue;
         if (outcome.not_attempted) {
             ++progress.attempts;  // of an exam: counts_for() lets no other one in

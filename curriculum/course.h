@@ -53,7 +53,10 @@ struct AttemptOutcome {
     double points = 0;
     bool critical = false;
     bool interrupted = false;  ///< Does not count; of an exam it uses up an attempt.
-    std::string at_utc = {};   ///< Start of the attempt; empty = unknown.
+    /// Left or tuned by the person, late enough that it said how it went: it does not count, and
+    /// ends what was met in a row.
+    bool given_up = false;
+    std::string at_utc = {};  ///< Start of the attempt; empty = unknown.
     uint64_t seed = 0;
     std::string exam_course = {}, exam_stage = {};  ///< Done as this exam; empty = practice.
     std::string proctor = {};
@@ -65,6 +68,10 @@ struct AttemptOutcome {
     bool unfinished = false;  ///< An exam that was begun and of which nothing was saved.
 };
 
+/// So long an attempt may be left or tuned without ending what was met in a row [s]: a wrong device
+/// or a bad start is seen by then, and how it goes is not.
+inline constexpr double kGiveUpAfterS = 10;
+
 enum class StageStatus : uint8_t {
     kLocked,
     kOpen,
@@ -74,7 +81,7 @@ enum class StageStatus : uint8_t {
 
 struct StageProgress {
     StageStatus status = StageStatus::kLocked;
-    int streak = 0;    ///< Benchmarks met in a row, up to now.
+    int streak = 0;    ///< Benchmarks met in a row, up to now; whoever gives one up begins anew.
     int attempts = 0;  ///< That count; of an exam also those that were left.
     double best_points = 0;
     std::vector<std::string> missing;  ///< Task ids of the stages that still lock it.

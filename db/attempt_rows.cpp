@@ -48,7 +48,8 @@ const std::string& attempt_columns() {
         "SELECT t.id, CASE WHEN t.study = '' THEN t.account_id ELSE 0 END AS user_id, CASE WHEN "
         "t.study = '' THEN COALESCE(p.display_name, '') ELSE t.participant END AS user_name, "
         "t.task_id, t.task_version, t.started_utc, t.duration_s, t.device, t.seed, t.build, "
-        "t.end_reason, t.demonstration, t.points, t.verdict, t.rubric_id, t.rubric_version, "
+        "t.end_reason, t.final_hash, t.demonstration, t.points, t.verdict, t.rubric_id, "
+        "t.rubric_version, "
         "t.metric_set_version, t.preprocessing_version, t.generated_from, t.exam_course, "
         "t.exam_course_version, t.exam_stage, t.proctor, t.device_certificate, t.haptic_grade, "
         "t.exam_begin, t.void_reason, t.void_meaning, t.replay, t.study, t.participant, CASE "
@@ -73,6 +74,7 @@ AttemptRecord read_attempt(const Statement& row) {
     record.seed = unsigned_of(row.text("seed"));
     record.build = row.text("build");
     record.end = static_cast<sim::EndReason>(row.integer("end_reason"));
+    record.ended = unsigned_of(row.text("final_hash")) != 0;
     record.demonstration = row.integer("demonstration") != 0;
     record.points = row.real("points");
     record.verdict = static_cast<assessment::Verdict>(row.integer("verdict"));

@@ -10,6 +10,7 @@
 #include "db/attempt_counting.h"
 #include "db/course_rows.h"
 #include "db/said.h"
+#include "db/void_reason.h"
 #include "sim/core/near_word.h"
 
 namespace placode::db {
@@ -115,6 +116,21 @@ curriculum::AttemptOutcome unfinished(const ExamBeginRecord& begin) {
     return outcome;
 }
 
+/// The person took it out of what counts: left it, or tuned tissue or generator. A crash and a slow
+/// computer are not the person's, so nothing is held against whom they hit.
+bool given_up(const AttemptRecord& attempt) {
+    if (attempt.demonstration || attempt.generated) return false;
+    if (attempt.verdict == assessment::Verdict::kNotAttempted) return false;
+    const std::vector<VoidReason> voids = void_reasons(attempt.void_reason, attempt.void_meaning);
+    const bool tuned = std::any_of(voids.begin(), voids.end(), [](const VoidReason& each) {
+        return each.cause == VoidCause::kTuned;
+    });
+    const bool late = attempt.duration_s >= curriculum::kGiveUpAfterS;
+    if (tuned) return late;
+    return attempt.end == sim::EndReason::kInterrupted && attempt.ended && voids.empty() &&
+           (late || attempt.verdict == assessment::Verdict::kFailed);
+}
+
 }  // namespace
 
 std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRecord>& attempts,
@@ -131,6 +147,7 @@ std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRec
         outcome.critical = attempt.verdict == assessment::Verdict::kFailed;
         outcome.not_attempted = attempt.verdict == assessment::Verdict::kNotAttempted;
         outcome.interrupted = attempt.end == sim::EndReason::kInterrupted;
+        outcome.given_up = given_up(attempt);
         // The station's clock may be minutes off; begins are all by the store's.
         const auto begun = begun_utc.find(attempt.id);
         outcome.at_utc = begun != begun_utc.end() ? begun->second : attempt.started_utc;

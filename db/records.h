@@ -106,6 +106,7 @@ struct AttemptRecord {
     std::string void_reason;
     std::string void_meaning;  ///< JSON of db/void_reason.h; empty: none, or of an older program.
     ReplayState replay = ReplayState::kNotReplayed;
+    bool ended = true;  ///< Its end was written down: false of one that a crash broke off.
 };
 
 /// An attempt that says something about the person: it came to its end and something was done.

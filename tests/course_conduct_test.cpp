@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 
 #include "db/access.h"
+#include "db/attempt_counting.h"
 #include "db/password.h"
+#include "db/void_reason.h"
 #include "haptics/certificate.h"
 #include "tests/recorded_attempt.h"
 #include "tests/store_fixture.h"
@@ -251,6 +253,64 @@ TEST_P(CourseStore, WhatAScriptShowedPassesNothingWhateverTheRowsSay) {
         ASSERT_TRUE(pen.run(set + " = 0 WHERE exam_course <> ''"));
         EXPECT_TRUE(progress().mastered);
     }
+}
+
+/// Given up is what the person left or tuned, not what a crash or a slow computer took away.
+TEST(Outcomes, AreGivenUpByThePersonAlone) {
+    const auto given_up = [](const auto& change) {
+        db::AttemptRecord attempt;
+        attempt.end = sim::EndReason::kInterrupted;
+        attempt.duration_s = 30;
+        change(attempt);
+        return db::outcomes_of({attempt}).front().given_up;
+    };
+    const auto voided = [](db::AttemptRecord& a, db::VoidCause cause) {
+        const std::vector<db::VoidReason> why{{cause, 8, 20, {}}};
+        a.void_reason = db::void_text(why);
+        a.void_meaning = db::void_meaning(why);
+    };
+    EXPECT_TRUE(given_up([](db::AttemptRecord&) {})) << "left";
+    EXPECT_FALSE(given_up([](db::AttemptRecord& a) { a.ended = false; })) << "a crash";
+    EXPECT_FALSE(given_up([](db::AttemptRecord& a) { a.end = sim::EndReason::kFinished; }));
+    EXPECT_FALSE(given_up([](db::AttemptRecord& a) { a.end = sim::EndReason::kClosed; }));
+    EXPECT_FALSE(given_up([](db::AttemptRecord& a) { a.duration_s = 9; }));
+    EXPECT_FALSE(given_up([](db::AttemptRecord& a) {
+        a.verdict = assessment::Verdict::kNotAttempted;
+    })) << "nothing was done";
+    EXPECT_TRUE(given_up([](db::AttemptRecord& a) {
+        a.duration_s = 9;
+        a.verdict = assessment::Verdict::kFailed;
+    })) << "critical";
+    EXPECT_FALSE(given_up([&](db::AttemptRecord& a) { voided(a, db::VoidCause::kFewPictures); }));
+    EXPECT_TRUE(given_up([&](db::AttemptRecord& a) { voided(a, db::VoidCause::kTuned); }));
+    EXPECT_FALSE(given_up([&](db::AttemptRecord& a) {
+        voided(a, db::VoidCause::kTuned);
+        a.duration_s = 5;
+        a.verdict = assessment::Verdict::kFailed;  // whatever was tuned is
+    }));
+}
+
+TEST_P(CourseStore, ThePracticeThatWasLeftEndsTheRow) {
+    assign(anna);
+    const auto practised = [&](double points, sim::EndReason end, uint64_t hash, const char* at) {
+        db::AttemptResult result;
+        result.header.task_id = "diathermy_ring";
+        result.header.started_utc = at;
+        result.score.points = points;
+        result.score.verdict = assessment::Verdict::kPassed;
+        result.end.reason = end;
+        result.end.duration_s = 40;
+        result.end.final_hash = hash;
+        return store->attempts().save(anna, result);
+    };
+    const auto streak = [&] {
+        return db::course_standing(*store, anna, "short", kNow).progress.stages[0].streak;
+    };
+    practised(80, sim::EndReason::kFinished, 11, "2026-02-01T00:00:00Z");
+    practised(80, sim::EndReason::kInterrupted, 0, "2026-02-02T00:00:00Z");
+    EXPECT_EQ(streak(), 1) << "a crash is nobody's fault";
+    practised(80, sim::EndReason::kInterrupted, 13, "2026-02-03T00:00:00Z");
+    EXPECT_EQ(streak(), 0);
 }
 
 TEST_P(CourseStore, AnExamOnAHapticLoopThatFailedIsVoidForCause) {

@@ -55,6 +55,40 @@ TEST(Course, AMissACriticalErrorOrAnInterruptionDoesNotCountAsInARow) {
     EXPECT_EQ(interrupted.stages[0].attempts, 2);
 }
 
+TEST(Course, WhoGivesUpAnAttemptBeginsTheRowAnew) {
+    AttemptOutcome left{"warm_up", 20, false, true};
+    left.given_up = true;
+    const auto own = [&](const std::vector<AttemptOutcome>& outcomes) {
+        return course_progress(two_stages(), outcomes).stages[0];
+    };
+    const StageProgress between = own({{"warm_up", 80}, left, {"warm_up", 80}});
+    EXPECT_EQ(between.status, StageStatus::kOpen) << "two good ones, but not in a row";
+    EXPECT_EQ(between.streak, 1);
+    EXPECT_EQ(between.attempts, 2) << "what was left is no attempt that counts";
+    EXPECT_EQ(own({{"warm_up", 80}, left, {"warm_up", 80}, {"warm_up", 75}}).status,
+              StageStatus::kMastered);
+    EXPECT_EQ(own({{"warm_up", 80}, {"warm_up", 80}, left}).status, StageStatus::kMastered)
+        << "mastered stays mastered";
+    left.task_id = "real";
+    EXPECT_EQ(own({{"warm_up", 80}, left, {"warm_up", 80}}).status, StageStatus::kMastered)
+        << "another task's row";
+    // Practice that was left says nothing of an exam of the same task.
+    Course exam = two_stages();
+    exam.stages[0].mode = StageMode::kExam;
+    exam.stages[0].exam.seeds = {7};
+    exam.stages[0].exam.proctor = false;
+    AttemptOutcome sat{"warm_up", 90};
+    sat.exam_course = "c";
+    sat.exam_stage = "warm_up";
+    sat.seed = 7;
+    left.task_id = "warm_up";
+    EXPECT_EQ(course_progress(exam, {sat, left}).stages[0].streak, 1);
+    // Tuned: the same, though it came to its end.
+    AttemptOutcome tuned{"warm_up", 90, true};
+    tuned.given_up = tuned.voided = true;
+    EXPECT_EQ(own({{"warm_up", 80}, tuned, {"warm_up", 80}}).streak, 1);
+}
+
 TEST(Course, WhereNothingWasDoneNothingIsMetOrMissed) {
     Course course = two_stages();
     AttemptOutcome idle{"warm_up", 0};
