@@ -108,6 +108,8 @@ struct RightsWorld {
             locked = store.studies().new_participant(kStudy);
         }
         db::AttemptResult result = make_result();
+        // What a script did would be nobody's skill.
+        result.header.demonstration = study;
         result.recording_file = folder.file("one.placode");
         if (study) result.study = {kStudy, code};
         mine.attempt = store.attempts().save(mine.person, result);

@@ -155,7 +155,9 @@ TEST_P(WebPagesTest, MakeNoMarkupOfWhatSomebodyTyped) {
     db::NewUser user = trainee("mark-up");
     user.display_name = kScript;
     const int64_t id = store->accounts().create(user);
-    const int64_t attempt = store->attempts().save(id, make_result());
+    db::AttemptResult own = make_result();
+    own.header.demonstration = false;
+    const int64_t attempt = store->attempts().save(id, own);
     const int64_t group = store->groups().create(kScript);
     store->groups().set_role(group, id, db::GroupRole::kMember);
     store->reviews().add_comment({0, attempt, people.teacher, "", -1, kScript, ""});
@@ -223,6 +225,7 @@ TEST_P(WebPagesTest, SayWhoIsDueForARefresher) {
         EXPECT_TRUE(seen.shows("2026-01-02")) << path;
     }
     db::AttemptResult fresh = make_result();
+    fresh.header.demonstration = false;
     fresh.header.started_utc = curriculum::utc_text(std::time(nullptr));
     for (const auto& [login, mine] : people.of) (void)open()->attempts().save(mine.person, fresh);
     EXPECT_TRUE(one.get("/refreshers").shows("Nobody is due."));
