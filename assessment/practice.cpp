@@ -165,6 +165,7 @@ std::vector<const sim::Event*> first_touches(const sim::Recording& recording) {
     for (const sim::Event& e : recording.events)
         if (e.kind == sim::EventKind::kTargetTouched) first.emplace(e.value, &e);
     std::vector<const sim::Event*> touches;
+    touches.reserve(first.size());
     for (const auto& [step, event] : first) touches.push_back(event);
     return touches;
 }
