@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -83,7 +84,12 @@ std::string json_value(double value) {
 
 void read_value(JsonScan& scan, std::string& value) { value = unquoted(scan.text()); }
 void read_value(JsonScan& scan, bool& value) { value = scan.truth(value); }
-void read_value(JsonScan& scan, int& value) { value = static_cast<int>(scan.number(value)); }
+void read_value(JsonScan& scan, int& value) {
+    const double number = scan.number(value);
+    // What no int holds, as much as one can: more faults, a later format.
+    const bool held = number >= -2147483648.0 && number <= 2147483647.0;
+    value = held ? static_cast<int>(number) : std::numeric_limits<int>::max();
+}
 void read_value(JsonScan& scan, double& value) { value = scan.number(value); }
 void read_value(JsonScan& scan, uint64_t& value) {
     const double number = scan.number(static_cast<double>(value));

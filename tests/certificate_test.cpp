@@ -101,6 +101,7 @@ TEST(Certificate, RefusesWhatIsNone) {
         EXPECT_THROW((void)certificate_from_json(text), CertificateError) << text;
     EXPECT_NO_THROW((void)certificate_from_json(
         "{\"future\":{\"a\":[1,2,{\"b\":null}]},\"format\":2,\"ticks\":7}"));
+    EXPECT_GT(certificate_from_json("{\"format\":1e43}").format, 1) << "no int holds it";
 }
 
 }  // namespace THIS_TEST
