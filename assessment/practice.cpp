@@ -152,12 +152,6 @@ std::vector<double> worst_passes(const sim::Recording& recording) {
     return passes;
 }
 
-double mean_of(const std::vector<double>& values) {
-    double mean = 0;
-    for (const double value : values) mean += value / static_cast<double>(values.size());
-    return mean;
-}
-
 }  // namespace
 
 std::vector<const sim::Event*> first_touches(const sim::Recording& recording) {
@@ -200,14 +194,14 @@ void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& 
     aims = misses > 0 || !errors.empty();
     out.push_back({"steps_done_percent", 100.0 * done / steps});
     if (aims) out.push_back({"target_misses", static_cast<double>(misses)});
-    if (!errors.empty()) out.push_back({"target_error_mm", mean_of(errors) * 1e3});
+    if (!errors.empty()) out.push_back({"target_error_mm", *mean_of(errors) * 1e3});
     if (traces) {
         std::vector<double> offsets = worst_passes(recording);
         std::sort(offsets.begin(), offsets.end());
         const auto covered = std::count(traced.begin(), traced.end(), true);
         out.push_back(
             {"trace_coverage_percent", 100.0 * static_cast<double>(covered) / sim::kTraceBins});
-        out.push_back({"trace_error_mm", mean_of(offsets) * 1e3});
+        out.push_back({"trace_error_mm", *mean_of(offsets) * 1e3});
         out.push_back({"trace_error_p95_mm", quantile(offsets, 0.95) * 1e3});
     }
     if (pulls) out.push_back({"traction_held_s", held});
