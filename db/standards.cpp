@@ -29,6 +29,22 @@ std::vector<std::vector<AttemptRecord>> judging(Store& store, const std::string&
     return found;
 }
 
+void need_proof_of(const std::string& task_id,
+                   const std::vector<std::vector<AttemptRecord>>& judged) {
+    int all = 0, unproven = 0;
+    for (const auto& own : judged)
+        for (const AttemptRecord& each : own) {
+            ++all;
+            if (!each.demonstration && each.replay != ReplayState::kIdentical) ++unproven;
+        }
+    if (unproven > 0)
+        throw StoreError(StoreError::Kind::kRefused, "standard of " + task_id + ": ",
+                         Said::that("%1 of %2 attempts were never simulated again; let `placodectl "
+                                    "verify --all` do that first")
+                             .with(unproven)
+                             .with(all));
+}
+
 }  // namespace
 
 std::optional<StandardRecord> standard_at(Store& store, const std::string& task_id,
@@ -65,25 +81,15 @@ assessment::Rubric rubric_at(Store& store, const curriculum::Task& task,
 
 void need_replayed(Store& store, const std::string& task_id, const std::vector<int64_t>& people,
                    int last) {
-    int all = 0, unproven = 0;
-    for (const auto& own : judging(store, task_id, people, last))
-        for (const AttemptRecord& each : own) {
-            ++all;
-            if (!each.demonstration && each.replay != ReplayState::kIdentical) ++unproven;
-        }
-    if (unproven > 0)
-        throw StoreError(StoreError::Kind::kRefused, "standard of " + task_id + ": ",
-                         Said::that("%1 of %2 attempts were never simulated again; let `placodectl "
-                                    "verify --all` do that first")
-                             .with(unproven)
-                             .with(all));
+    need_proof_of(task_id, judging(store, task_id, people, last));
 }
 
 std::vector<double> person_means(Store& store, const std::string& task_id,
                                  const std::vector<int64_t>& people, int last) {
-    need_replayed(store, task_id, people, last);
+    const auto judged = judging(store, task_id, people, last);
+    need_proof_of(task_id, judged);
     std::vector<double> means;
-    for (const auto& own : judging(store, task_id, people, last)) {
+    for (const auto& own : judged) {
         std::vector<double> points;
         for (const AttemptRecord& each : own) points.push_back(each.points);
         if (const auto mean = assessment::mean_of(points)) means.push_back(*mean);
