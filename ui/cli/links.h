@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "db/password.h"
 #include "ui/cli/session.h"
+#include "ui/lti/grades.h"
 #include "ui/lti/settings.h"
 
 namespace placode::cli {
@@ -46,14 +46,11 @@ struct LeftOut {
     std::vector<db::UserRecord> people;
     for (const lti::Platform& platform : lti::read_settings(file).platforms)
         for (const lti::Link& link : without_erased(session, platform, left_out).links) {
-            const auto user = session.store().accounts().find(link.account);
-            if (!user || db::login_key(user->login) != db::login_key(link.login))
-                left_out.problems.push_back("sub \"" + link.subject + "\": account " +
-                                            std::to_string(link.account) + " is not " + link.login +
-                                            "'s (any more); link it again, or take the link away");
+            if (!lti::is_theirs(session.store(), link))
+                left_out.problems.push_back(lti::not_theirs(link));
             else if (std::none_of(people.begin(), people.end(),
-                                  [&](const auto& each) { return each.id == user->id; }))
-                people.push_back(*user);
+                                  [&](const auto& each) { return each.id == link.account; }))
+                people.push_back(*session.store().accounts().find(link.account));
         }
     return people;
 }

@@ -36,11 +36,6 @@ std::string value_of(const Grade& grade) {
     return text;
 }
 
-bool is_theirs(db::Store& store, const Link& link) {
-    const auto user = store.accounts().find(link.account);
-    return user && db::login_key(user->login) == db::login_key(link.login);
-}
-
 /// In hundredths; nothing without an attempt that counts.
 std::optional<double> points_of(db::Store& store, int64_t account, const LineItem& item) {
     std::optional<double> found;
@@ -54,6 +49,16 @@ std::optional<double> points_of(db::Store& store, int64_t account, const LineIte
 
 }  // namespace
 
+bool is_theirs(db::Store& store, const Link& link) {
+    const auto user = store.accounts().find(link.account);
+    return user && db::login_key(user->login) == db::login_key(link.login);
+}
+
+std::string not_theirs(const Link& link) {
+    return "sub \"" + link.subject + "\": account " + std::to_string(link.account) + " is not " +
+           link.login + "'s (any more); link it again, or take the link away";
+}
+
 std::vector<Grade> grades_of(db::Store& store, const Platform& platform, const LineItem& item,
                              std::vector<std::string>& problems) {
     std::vector<Grade> grades;
@@ -62,9 +67,7 @@ std::vector<Grade> grades_of(db::Store& store, const Platform& platform, const L
             grades.push_back({link.subject, link.login, item.task, item.address,
                               points_of(store, link.account, item)});
         else
-            problems.push_back("sub \"" + link.subject + "\": account " +
-                               std::to_string(link.account) + " is not " + link.login +
-                               "'s (any more); link it again, or take the link away");
+            problems.push_back(not_theirs(link));
     }
     return grades;
 }

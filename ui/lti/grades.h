@@ -22,6 +22,11 @@ struct Grade {
     std::optional<double> points;
 };
 
+/// Whether a link's number and log-in name are still one account's. Throws StoreError.
+[[nodiscard]] bool is_theirs(db::Store& store, const Link& link);
+/// What is said of one that is not.
+[[nodiscard]] std::string not_theirs(const Link& link);
+
 /// For everybody who is linked. Only attempts that count (db/attempt_counting.h), none of a study.
 /// `problems` gets whoever is linked with an account that is gone or somebody else's. Throws
 /// StoreError.
