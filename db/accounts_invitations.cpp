@@ -7,7 +7,6 @@
 #include "db/packing.h"
 #include "db/password.h"
 #include "db/store_context.h"
-#include "sim/core/hidden_letters.h"
 
 namespace placode::db {
 namespace {
@@ -29,12 +28,8 @@ std::string Accounts::invite(const InvitationRecord& invitation) {
     need_accounts();
     if (invitation.roles == 0)
         connection_.fail(Kind::kRefused, Said::that("the invitation has no role"));
-    if (sim::has_hidden_letters(invitation.note))
-        connection_.fail(
-            Kind::kRefused,
-            Said::that(
-                "the name holds letters that are not seen, such as the end of a line; type it "
-                "again"));
+    if (const auto problem = hidden_letters_problem(invitation.note))
+        connection_.fail(Kind::kRefused, *problem);
     if (!curriculum::utc_seconds(invitation.expires_utc))
         connection_.fail(
             Kind::kRefused,

@@ -59,12 +59,16 @@ std::string login_key(const std::string& login) {
         .toStdString();
 }
 
+std::optional<Said> hidden_letters_problem(const std::string& name) {
+    if (!sim::has_hidden_letters(name)) return std::nullopt;
+    return Said::that(
+        "the name holds letters that are not seen, such as the end of a line; type it again");
+}
+
 std::optional<Said> name_problem(const std::string& name) {
     const QString text = QString::fromStdString(name);
     if (text.trimmed().isEmpty()) return Said::that("the name is empty");
-    if (sim::has_hidden_letters(name))
-        return Said::that(
-            "the name holds letters that are not seen, such as the end of a line; type it again");
+    if (auto hidden = hidden_letters_problem(name)) return hidden;
     if (text.toUcs4().size() > kMostNameLength)
         return Said::that("the name is longer than %1 characters").with(kMostNameLength);
     return std::nullopt;

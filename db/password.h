@@ -37,6 +37,8 @@ void need_sodium();
 
 /// Key by which logins are compared: trimmed, compatibility-composed, without case.
 [[nodiscard]] std::string login_key(const std::string& login);
+/// That the name holds letters which are not seen, or nothing; it may be empty and of any length.
+[[nodiscard]] std::optional<Said> hidden_letters_problem(const std::string& name);
 /// What is wrong with the name of a person or a group, or nothing: where a name is shown there is
 /// room for a line, and whoever pastes a book into the field means something else.
 [[nodiscard]] std::optional<Said> name_problem(const std::string& name);
