@@ -38,7 +38,7 @@ std::string Accounts::invite(const InvitationRecord& invitation) {
                 .with("2026-11-21"));
     UnitOfWork work(connection_);
     if (invitation.group_id != 0) context_.need_group(invitation.group_id);
-    const std::string code = new_code();
+    std::string code = new_code();
     Statement insert(connection_,
                      "INSERT INTO invitations (code_hash, roles, group_id, note, invited_by, "
                      "made_utc, expires_utc, used_utc) VALUES (?, ?, ?, ?, ?, ?, ?, '') RETURNING "

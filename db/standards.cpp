@@ -91,6 +91,7 @@ std::vector<double> person_means(Store& store, const std::string& task_id,
     std::vector<double> means;
     for (const auto& own : judged) {
         std::vector<double> points;
+        points.reserve(own.size());
         for (const AttemptRecord& each : own) points.push_back(each.points);
         if (const auto mean = assessment::mean_of(points)) means.push_back(*mean);
     }
