@@ -13,6 +13,8 @@ rm -rf "$logs"
 mkdir -p "$logs"
 export PLACODE_LONG_TESTS=1 PLACODE_BARS=$PWD/$logs/bars.csv
 touch "$PLACODE_BARS"
+# What is tried, whatever is committed in these hours.
+commit=$(git rev-parse --short HEAD 2>/dev/null || echo 'no commit')
 
 # long_test NAME: a station key of its own, because several run at once; passwords cost what they cost
 # people only where that is what is tested, as in the suite.
@@ -57,7 +59,7 @@ status=0
 echo
 printf '%-44s %12s %8s %8s\n' 'what was tried' times failed seconds
 awk -F, '{printf "%-44s %12d %8d %8.0f\n", $1, $2, $3, $4; if ($3 > 0) bad = 1} END {exit bad}' "$PLACODE_BARS" || status=1
-machine="$(date -u +%F), $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, $(git rev-parse --short HEAD 2>/dev/null || echo 'no commit'), $SECONDS s in all"
+machine="$(date -u +%F), $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, $commit, $SECONDS s in all"
 echo "$machine; logs: $logs"
 # The same for readers; commit it when the run was whole.
 {
