@@ -28,6 +28,8 @@ inline constexpr const char* kChunksTable =
 /// What a recording may take: an hour of attempt has about half of the second, its chunks a few MiB
 /// at most. A few kB of zstd can say that they are as many GB.
 inline constexpr size_t kMostChunkBytes = size_t{64} << 20, kMostRecordingBytes = size_t{1} << 30;
+/// At most three are written in a quarter of a second: ten hours of them.
+inline constexpr int64_t kMostChunks = 500'000;
 
 [[nodiscard]] Bytes encode_chunk(std::span<const sim::Input> records);
 [[nodiscard]] Bytes encode_chunk(std::span<const sim::Sample> records);

@@ -153,9 +153,12 @@ class FileReader {
         RawStatement query(database_->get(), "SELECT id, length(content) FROM chunks ORDER BY id");
         if (query.prepared() != SQLITE_OK) return;  // read_chunks() says what is wrong.
         size_t sum = 0;
-        while (query.step() == SQLITE_ROW) {
-            const size_t size = stated_size_of(query.integer(0), query.integer(1));
-            const std::string name = "chunk " + std::to_string(query.integer(0));
+        // Pages of a damaged file may lead to the same rows for hours: what comes out of its turn
+        // is the end for read_chunks(), too.
+        for (int64_t id = 1; query.step() == SQLITE_ROW && query.integer(0) == id; ++id) {
+            const std::string name = "chunk " + std::to_string(id);
+            if (id > kMostChunks) fail(Kind::kDamaged, name + ": no recording has so many");
+            const size_t size = stated_size_of(id, query.integer(1));
             if (size > kMostChunkBytes || query.integer(1) > static_cast<int64_t>(kMostChunkBytes))
                 fail(Kind::kDamaged, name + ": is larger than 64 MiB, no chunk is");
             sum += size;

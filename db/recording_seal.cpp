@@ -4,6 +4,7 @@
 
 #include <sqlite3.h>
 
+#include <optional>
 #include <sstream>
 
 #include "db/packing.h"
@@ -22,15 +23,23 @@ const std::string kReadSignature = "read the signature of the recording";
 int signed_text_of(sqlite3* database, std::string& text) {
     std::string all;
     RawStatement meta(database, "SELECT key, value FROM meta WHERE key <> 'station' ORDER BY key");
-    RawStatement chunks(database, "SELECT kind, first, count, checksum FROM chunks ORDER BY id");
+    RawStatement chunks(database,
+                        "SELECT kind, first, count, checksum, id FROM chunks ORDER BY id");
     if (meta.prepared() != SQLITE_OK) return meta.prepared();
     if (chunks.prepared() != SQLITE_OK) return chunks.prepared();
+    // Pages of a damaged file may lead to the same rows for hours, and `all` would grow with them.
     int code = meta.step();
-    for (; code == SQLITE_ROW; code = meta.step())
+    for (std::optional<std::string> last; code == SQLITE_ROW; code = meta.step()) {
+        if (last && meta.text(0) <= *last) return SQLITE_CORRUPT;
+        last = meta.text(0);
         for (int i = 0; i < 2; ++i) add_text(all, meta.text(i));
+    }
     all += '\n';
     if (code != SQLITE_DONE) return code;
-    for (code = chunks.step(); code == SQLITE_ROW; code = chunks.step()) {
+    code = chunks.step();
+    for (std::optional<int64_t> last; code == SQLITE_ROW; code = chunks.step()) {
+        if (last && chunks.integer(4) <= *last) return SQLITE_CORRUPT;
+        last = chunks.integer(4);
         add_text(all, chunks.text(0));
         for (int i = 1; i < 3; ++i) add_text(all, std::to_string(chunks.integer(i)));
         add_text(all, chunks.text(3));

@@ -13,6 +13,8 @@
 #include <fstream>
 
 #include "db/packing.h"
+#include "db/raw_sqlite.h"
+#include "db/recording_seal.h"
 #include "tests/store_cases.h"
 
 using namespace placode;
@@ -174,6 +176,99 @@ TEST_P(HostileRecording, IsRefusedWithItsReason) {
 
 INSTANTIATE_TEST_SUITE_P(Files, HostileRecording, testing::ValuesIn(attacks_by_recording()),
                          attack_name);
+
+/// Puts three levels of pages above the only one of a table or index, each of which leads hundreds
+/// of times to the next: millions of times the same rows, from 16 kB.
+/// https://www.sqlite.org/fileformat2.html#b_tree_pages
+class RepeatedRows {
+ public:
+    explicit RepeatedRows(const std::string& path) : path_(path), bytes_(read_text(path)) {}
+
+    void of(const std::string& name) {
+        const size_t at = kPage * (root_of(name) - 1);
+        const std::string leaf = bytes_.substr(at, kPage);
+        // Of the first row, behind where it leads: number or key.
+        const size_t first = number(leaf, 8, 2);
+        const bool table = leaf[0] == 13;
+        entry_ = table ? std::string(1, '\0') : leaf.substr(first, 1 + number(leaf, first, 1));
+        kind_ = table ? 5 : 2;
+        bytes_ += leaf;
+        for (int level = 0; level < 2; ++level) bytes_ += leading_to(pages());
+        bytes_.replace(at, kPage, leading_to(pages()));
+        put(bytes_, 28, pages(), 4);
+        std::ofstream(path_, std::ios::binary) << bytes_;
+    }
+
+ private:
+    static constexpr size_t kPage = 4096, kHeader = 12;
+
+    [[nodiscard]] size_t pages() const { return bytes_.size() / kPage; }
+    [[nodiscard]] size_t root_of(const std::string& name) const {
+        sqlite3* database = nullptr;
+        EXPECT_EQ(sqlite3_open(path_.c_str(), &database), SQLITE_OK);
+        int64_t root = 1;
+        {
+            db::RawStatement query(database, "SELECT rootpage FROM sqlite_schema WHERE name = ?");
+            EXPECT_EQ(query.bind(name).step(), SQLITE_ROW);
+            root = query.integer(0);
+        }
+        sqlite3_close(database);
+        return static_cast<size_t>(root);
+    }
+    static size_t number(const std::string& bytes, size_t at, int size) {
+        size_t value = 0;
+        for (int i = 0; i < size; ++i)
+            value = value << 8 | static_cast<uint8_t>(bytes[at + static_cast<size_t>(i)]);
+        return value;
+    }
+    static void put(std::string& bytes, size_t at, size_t value, int size) {
+        for (int i = size - 1; i >= 0; --i, value >>= 8)
+            bytes[at + static_cast<size_t>(i)] = static_cast<char>(value & 0xff);
+    }
+    [[nodiscard]] std::string leading_to(size_t child) const {
+        std::string page(kPage, '\0');
+        const size_t length = 4 + entry_.size(), cells = (kPage - kHeader) / (2 + length);
+        page[0] = kind_;
+        put(page, 3, cells, 2);
+        put(page, 5, kPage - cells * length, 2);
+        put(page, 8, child, 4);
+        for (size_t cell = 0; cell < cells; ++cell) {
+            const size_t at = kPage - (cell + 1) * length;
+            put(page, kHeader + 2 * cell, at, 2);
+            put(page, at, child, 4);
+            page.replace(at + 4, entry_.size(), entry_);
+        }
+        return page;
+    }
+
+    std::string path_, bytes_, entry_;
+    char kind_ = 0;
+};
+
+TEST(HostileRows, ThatComeAgainMillionsOfTimesAreReadOnce) {
+    const TemporaryFolder folder;
+    ::setenv("PLACODE_STATION_KEY", folder.file("station.key").c_str(), 1);
+    for (const char* repeated : {"chunks", "sqlite_autoindex_meta_1"}) {
+        SCOPED_TRACE(repeated);
+        const std::string path = folder.file(std::string(repeated) + ".placode");
+        write_recording(path, 1);
+        ASSERT_EQ(db::recording_seal(path).signature, db::RecordingSignature::kRight);
+        RepeatedRows(path).of(repeated);
+        const auto has_wrong_seal = [&] {
+            if (db::recording_seal(path).signature != db::RecordingSignature::kWrong)
+                throw std::runtime_error("its signature is not wrong");
+        };
+        EXPECT_EQ(refusal_of(has_wrong_seal), "");
+        const std::string read = refusal_of([&] { (void)db::read_recording_file(path); });
+        const std::string summary = refusal_of([&] { (void)db::recording_summary(path); });
+        for (const std::string& said : {read, summary})
+            EXPECT_THAT(
+                said, testing::Not(testing::AnyOf(HasSubstr("killed"), HasSubstr("not refused"))));
+        if (repeated == std::string("chunks")) {
+            EXPECT_THAT(read, HasSubstr("chunk 2: is missing"));
+        }
+    }
+}
 
 // --- backups -------------------------------------------------------------------------------------
 
