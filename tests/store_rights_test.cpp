@@ -12,6 +12,7 @@
 #include <set>
 
 #include "db/course_conduct.h"
+#include "tests/bars.h"
 #include "tests/rights_of_studies.h"
 
 using namespace placode;
@@ -108,7 +109,7 @@ class RightsTest : public StoreTest {
     /// nullopt: it was not refused for want of rights.
     [[nodiscard]] static std::optional<std::string> refused(const Method& method, Call& call,
                                                             std::string& trouble);
-    void run_for(const std::string& who, int& calls);
+    void run_for(const std::string& who, int& calls, Bar& bar);
     /// A server takes longer: there, what asks about nobody's data in particular is called for one
     /// subject.
     [[nodiscard]] std::vector<Subject> subjects_of(const Method& method) const {
@@ -175,7 +176,7 @@ std::optional<std::string> RightsTest::refused(const Method& method, Call& call,
     return std::nullopt;
 }
 
-void RightsTest::run_for(const std::string& who, int& calls) {
+void RightsTest::run_for(const std::string& who, int& calls, Bar& bar) {
     auto store = open_for(who);
     auto behind = look_behind();
     const std::string head = "SELECT chain FROM audit ORDER BY id DESC LIMIT 1";
@@ -192,8 +193,10 @@ void RightsTest::run_for(const std::string& who, int& calls) {
             std::string trouble;
             const bool may = !refused(method, call, trouble);
             const bool trace = behind->value(head) != before;
-            EXPECT_EQ(may, expected(method, who, whose))
-                << method.name << " for " << who << ", subject " << int(whose) << ": " << trouble;
+            const bool right = may == expected(method, who, whose);
+            EXPECT_TRUE(right) << method.name << (may ? " worked" : " was refused") << " for "
+                               << who << ", subject " << int(whose) << ": " << trouble;
+            bar.tried(right);
             if (who == kProgram && whose == Subject::kGroup && !method.fails) {
                 EXPECT_EQ(trouble, "") << method.name << " should have worked";
             }
@@ -214,10 +217,12 @@ void RightsTest::run_for(const std::string& who, int& calls) {
 
 TEST_P(RightsTest, EveryMethodAsksTheTableForEverybody) {
     keep();
+    Bar bar(is_sqlite() ? "methods by role and scope (SQLite)"
+                        : "methods by role and scope (PostgreSQL)");
     int calls = 0;
-    run_for(kNobody, calls);
-    run_for(kProgram, calls);
-    for (const auto& [login, role] : RightsWorld::kActors) run_for(login, calls);
+    run_for(kNobody, calls, bar);
+    run_for(kProgram, calls, bar);
+    for (const auto& [login, role] : RightsWorld::kActors) run_for(login, calls, bar);
     RecordProperty("calls", calls);
     int each = 0;
     for (const Method& method : all_methods()) each += static_cast<int>(subjects_of(method).size());
