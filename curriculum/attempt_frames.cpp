@@ -10,6 +10,7 @@
 #include "sim/cutting/attempt_progress.h"
 #include "sim/fluid/irrigation.h"
 #include "sim/ledger/damage.h"
+#include "sim/ledger/ledger.h"
 #include "sim/step/patch_when_let_go.h"
 #include "sim/step/slit_when_let_go.h"
 #include "sim/step/undermining_when_let_go.h"
@@ -152,6 +153,7 @@ std::vector<sim::Event> AttemptFrames::entries_if_closed(const sim::State& state
     add(practice.end(state.time_s));
     add(warnings.end(state.time_s));
     measure_last(*scene_, state, [&all](const sim::Event& event) { all.push_back(event); });
+    add(sim::open_spells(*scene_, state));
     add(sim::spread_events(*scene_, state));
     return all;
 }

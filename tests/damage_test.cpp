@@ -4,10 +4,12 @@
 // that follow from the numbers put in.
 
 #include "sim/ledger/damage.h"
+#include "sim/ledger/ledger.h"
 #include "sim/world/add_event.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/cutting/cutting.h"
@@ -230,6 +232,45 @@ TEST(ClosingEvents, BeginWithTheNumberOfRays) {
     EXPECT_EQ(events[1].element, 0);
     EXPECT_EQ(events[2].element, 1);
     EXPECT_TRUE(only_in_recording(events[0].kind));
+}
+
+/// Whoever ends the attempt with the foot on the pedal has burned all the same.
+TEST(ClosingEvents, TellWhatIsStillGoingOn) {
+    const Scene scene = square_scene();
+    State state(scene, 1);
+    EXPECT_TRUE(open_spells(scene, state).empty());
+    ToolLedger& spell = state.ledger.tools[0];
+    spell.contact_s = 0.2F;
+    spell.peak_force_n = 0.03F;
+    spell.over_force_s = 60;
+    spell.over_force_peak_n = 0.6F;
+    spell.dwell_s = 3;
+    spell.air_s = 0.9F;  // too short to count
+    spell.placode_energised_s = 0.4F;
+    spell.energised_peak_c = 80;
+    state.grasps[0].traction_s = 5;
+    state.grasps[0].traction_peak_n = 1;
+    const uint64_t before = state_hash(state);
+    const auto events = closing_events(scene, state);
+    EXPECT_EQ(state_hash(state), before);
+    const auto expect = [&](EventKind kind, float value, float value2) {
+        const auto found = std::find_if(events.begin(), events.end(),
+                                        [&](const Event& e) { return e.kind == kind; });
+        ASSERT_NE(found, events.end()) << event_name(kind);
+        EXPECT_EQ(found->value, value) << event_name(kind);
+        EXPECT_EQ(found->value2, value2) << event_name(kind);
+        EXPECT_EQ(found->tool, 0) << event_name(kind);
+        EXPECT_EQ(found->time_s, state.time_s) << event_name(kind);
+    };
+    expect(EventKind::kPlacodeContact, 0.2F, 0.03F);
+    expect(EventKind::kOverForce, 60, 0.6F);
+    expect(EventKind::kDwell, 3, 0);
+    expect(EventKind::kPlacodeEnergised, 0.4F, 80);
+    expect(EventKind::kOverTraction, 5, 1);
+    for (const Event& e : events) EXPECT_NE(e.kind, EventKind::kEnergyInAir);
+    // Too short to be a way of working, as while it runs.
+    spell.over_force_s = 0.04F;
+    for (const Event& e : open_spells(scene, state)) EXPECT_NE(e.kind, EventKind::kOverForce);
 }
 
 }  // namespace THIS_TEST

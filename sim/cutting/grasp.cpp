@@ -152,12 +152,7 @@ void end_slip(State& state, int t) noexcept {
 
 void end_traction(State& state, int t) noexcept {
     Grasp& g = state.grasps[t];
-    if (g.traction_s >= kTractionS) {
-        Event e = grasp_event(state, EventKind::kOverTraction, t);
-        e.value = g.traction_s;
-        e.value2 = g.traction_peak_n;
-        add_event(state, e);
-    }
+    if (const auto pull = open_traction(state, t)) add_event(state, *pull);
     g.traction_s = g.traction_peak_n = 0;
 }
 
@@ -254,6 +249,15 @@ void slip(const Scene& scene, State& state, int t, const Vec3& force, double sti
 }
 
 }  // namespace
+
+std::optional<Event> open_traction(const State& state, int t) noexcept {
+    const Grasp& g = state.grasps[t];
+    if (g.traction_s < kTractionS) return std::nullopt;
+    Event e = grasp_event(state, EventKind::kOverTraction, t);
+    e.value = g.traction_s;
+    e.value2 = g.traction_peak_n;
+    return e;
+}
 
 double grip_angle(const ToolSpec& spec) noexcept {
     const double sine = spec.jaw_touch_m / std::max(2 * spec.tip_length_m, spec.jaw_touch_m);

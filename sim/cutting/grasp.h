@@ -9,6 +9,9 @@
 //
 // Frame T: z distal, jaws open along y (half the angle each), x across their width.
 
+#include <optional>
+
+#include "sim/core/event.h"
 #include "sim/core/tool.h"
 #include "sim/world/grasp_state.h"
 
@@ -28,6 +31,9 @@ void feel_grasped(const Scene& scene, State& state) noexcept;
 
 /// End of a frame of `dt` seconds: closes, opens, crushes, and writes what happened.
 void update_grasps(const Scene& scene, State& state, double dt) noexcept;
+
+/// The entry for a pull above the tissue's limit that goes on, long enough to count.
+[[nodiscard]] std::optional<Event> open_traction(const State& state, int t) noexcept;
 
 /// A held vertex was split: the jaws hold its copy as well.
 void hold_copy(const Scene& scene, State& state, int vertex, int copy) noexcept;

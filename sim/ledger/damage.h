@@ -42,7 +42,8 @@ struct SpreadRay {
 /// kThermalSpread as of now: nothing without heat or without a planned contour. Allocates.
 [[nodiscard]] std::vector<Event> spread_events(const Scene& scene, const State& state);
 
-/// What remains to be told after the last frame: open sums of over-stretch, thermal spread.
+/// What remains to be told after the last frame: open sums of over-stretch, spells that are not
+/// over, thermal spread.
 [[nodiscard]] std::vector<Event> closing_events(const Scene& scene, State& state);
 
 }  // namespace placode::sim

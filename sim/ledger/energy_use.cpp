@@ -13,14 +13,24 @@ namespace {
 
 constexpr float kNoticeS = 1.0f;  // energy in air or on one spot counts from here on
 
+Event spell_event(const State& state, int t, EventKind kind, float seconds) noexcept {
+    Event e = tool_event(state, kind, t);
+    e.value = seconds;
+    return e;
+}
+
+Event placode_energised_event(const State& state, int t) noexcept {
+    const ToolLedger& spell = state.ledger.tools[t];
+    Event e = spell_event(state, t, EventKind::kPlacodeEnergised, spell.placode_energised_s);
+    e.tissue = Tissue::kPlacode;
+    e.value2 = spell.energised_peak_c;
+    return e;
+}
+
 /// Enters a spell that lasted long enough, and begins anew.
 void end_spell(State& state, int t, EventKind kind, float ToolLedger::*seconds) noexcept {
     float& lasted = state.ledger.tools[t].*seconds;
-    if (lasted > kNoticeS) {
-        Event e = tool_event(state, kind, t);
-        e.value = lasted;
-        add_event(state, e);
-    }
+    if (lasted > kNoticeS) add_event(state, spell_event(state, t, kind, lasted));
     lasted = 0;
 }
 
@@ -34,13 +44,7 @@ void end_air(State& state, int t) noexcept {
 
 void end_placode_energised(State& state, int t) noexcept {
     ToolLedger& spell = state.ledger.tools[t];
-    if (spell.placode_energised_s > 0) {
-        Event e = tool_event(state, EventKind::kPlacodeEnergised, t);
-        e.tissue = Tissue::kPlacode;
-        e.value = spell.placode_energised_s;
-        e.value2 = spell.energised_peak_c;
-        add_event(state, e);
-    }
+    if (spell.placode_energised_s > 0) add_event(state, placode_energised_event(state, t));
     spell.placode_energised_s = 0;
     spell.energised_peak_c = 0;
 }
@@ -71,6 +75,15 @@ void where_it_goes(const Scene& scene, State& state, int t, float seconds) noexc
 }
 
 }  // namespace
+
+void open_energy(const State& state, int t, std::vector<Event>& events) {
+    const ToolLedger& spell = state.ledger.tools[t];
+    if (spell.air_s > kNoticeS)
+        events.push_back(spell_event(state, t, EventKind::kEnergyInAir, spell.air_s));
+    if (spell.dwell_s > kNoticeS)
+        events.push_back(spell_event(state, t, EventKind::kDwell, spell.dwell_s));
+    if (spell.placode_energised_s > 0) events.push_back(placode_energised_event(state, t));
+}
 
 void ledger_energy(const Scene& scene, State& state, int t, bool active, double dt) noexcept {
     ToolState& tool = state.tools[t];

@@ -4,6 +4,10 @@
 // What an instrument does with its current, as the ledger tells it: switched on and off, in air, on
 // one spot for long, on the placode.
 
+#include <vector>
+
+#include "sim/core/event.h"
+
 namespace placode::sim {
 
 struct Scene;
@@ -11,5 +15,8 @@ struct State;
 
 /// One frame of `dt` seconds of tool `t`; `active` = its pedal drives current.
 void ledger_energy(const Scene& scene, State& state, int t, bool active, double dt) noexcept;
+
+/// Adds entries for current that still flows after the last frame.
+void open_energy(const State& state, int t, std::vector<Event>& events);
 
 }  // namespace placode::sim

@@ -9,6 +9,7 @@
 #include "sim/cutting/attempt_progress.h"
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/diathermy.h"
+#include "sim/cutting/grasp.h"
 #include "sim/ledger/damage.h"
 #include "sim/ledger/energy_use.h"
 #include "sim/world/add_event.h"
@@ -25,6 +26,23 @@ constexpr float kCheckAfterS = 2.0f;     // hands off after the ring is complete
 constexpr double kRingComplete = 0.99;
 constexpr double kResected = 0.9;  // of the marked volume: what is left is not worth a phase
 
+Event contact_event(const State& state, int t) noexcept {
+    const ToolLedger& spell = state.ledger.tools[t];
+    Event e = tool_event(state, EventKind::kPlacodeContact, t);
+    e.tissue = Tissue::kPlacode;
+    e.value = spell.contact_s;
+    e.value2 = spell.peak_force_n;
+    return e;
+}
+
+Event over_force_event(const State& state, int t) noexcept {
+    const ToolLedger& spell = state.ledger.tools[t];
+    Event e = tool_event(state, EventKind::kOverForce, t);
+    e.value = spell.over_force_s;
+    e.value2 = spell.over_force_peak_n;
+    return e;
+}
+
 /// Contact with the placode and too much force.
 void ledger_force(const Scene& scene, State& state, int t, double dt) noexcept {
     const ToolState& tool = state.tools[t];
@@ -37,11 +55,7 @@ void ledger_force(const Scene& scene, State& state, int t, double dt) noexcept {
     } else if (spell.contact_s > 0) {
         spell.quiet_s += seconds;
         if (spell.quiet_s >= kDebounceS || !tool.engaged) {
-            Event e = tool_event(state, EventKind::kPlacodeContact, t);
-            e.tissue = Tissue::kPlacode;
-            e.value = spell.contact_s;
-            e.value2 = spell.peak_force_n;
-            add_event(state, e);
+            add_event(state, contact_event(state, t));
             spell.contact_s = spell.peak_force_n = spell.quiet_s = 0;
         }
     }
@@ -50,12 +64,7 @@ void ledger_force(const Scene& scene, State& state, int t, double dt) noexcept {
         spell.over_force_s += seconds;
         spell.over_force_peak_n = std::max(spell.over_force_peak_n, static_cast<float>(force));
     } else if (spell.over_force_s > 0) {
-        if (spell.over_force_s >= kOverForceS) {
-            Event e = tool_event(state, EventKind::kOverForce, t);
-            e.value = spell.over_force_s;
-            e.value2 = spell.over_force_peak_n;
-            add_event(state, e);
-        }
+        if (spell.over_force_s >= kOverForceS) add_event(state, over_force_event(state, t));
         spell.over_force_s = spell.over_force_peak_n = 0;
     }
 }
@@ -206,6 +215,18 @@ void begin_ledger(const Scene& scene, State& state) noexcept {
 }
 
 }  // namespace
+
+std::vector<Event> open_spells(const Scene& scene, const State& state) {
+    std::vector<Event> events;
+    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
+        const ToolLedger& spell = state.ledger.tools[t];
+        if (scene.heat) open_energy(state, t, events);
+        if (spell.contact_s > 0) events.push_back(contact_event(state, t));
+        if (spell.over_force_s >= kOverForceS) events.push_back(over_force_event(state, t));
+        if (const auto pull = open_traction(state, t)) events.push_back(*pull);
+    }
+    return events;
+}
 
 void update_ledger(const Scene& scene, State& state, std::span<const uint8_t> active,
                    double dt) noexcept {

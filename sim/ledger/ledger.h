@@ -4,10 +4,13 @@
 // The damage ledger: what a frame adds to it, read from the state only.
 //
 // Spans of time (energy in air, dwell, contact with the placode, too much force) are entered when
-// they end, with their length; losses of tissue at once.
+// they end, at the latest with the attempt, with their length; losses of tissue at once.
 
 #include <cstdint>
 #include <span>
+#include <vector>
+
+#include "sim/core/event.h"
 
 namespace placode::sim {
 
@@ -18,5 +21,9 @@ struct State;
 /// the pedal of tool t drives current.
 void update_ledger(const Scene& scene, State& state, std::span<const uint8_t> active,
                    double dt) noexcept;
+
+/// Entries for what is still going on when the attempt ends: whoever stops while pressing, pulling
+/// or burning has done it all the same. The state stays as it is. Allocates: after the last frame.
+[[nodiscard]] std::vector<Event> open_spells(const Scene& scene, const State& state);
 
 }  // namespace placode::sim

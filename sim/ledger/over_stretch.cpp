@@ -53,8 +53,8 @@ std::vector<Event> closing_events(const Scene& scene, State& state) {
     ledger_stretch(scene, state);
     std::vector<Event> events(state.events.begin(), state.events.begin() + state.event_count);
     state.event_count = 0;
-    const std::vector<Event> spread = spread_events(scene, state);
-    events.insert(events.end(), spread.begin(), spread.end());
+    for (const auto& told : {open_spells(scene, state), spread_events(scene, state)})
+        events.insert(events.end(), told.begin(), told.end());
     return events;
 }
 
