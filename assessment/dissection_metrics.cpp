@@ -13,32 +13,62 @@ namespace placode::assessment {
 
 namespace {
 
+/// Shows every sample, and before it what the instruments did since the one before.
+template <class See, class Look>
+void go_through(const sim::Recording& recording, See see, Look look) {
+    size_t next = 0;
+    for (const sim::Sample& sample : recording.samples) {
+        for (; next < recording.events.size() && recording.events[next].time_s <= sample.time_s;
+             ++next) {
+            const sim::Event& e = recording.events[next];
+            if (e.tool >= 0 && e.tool < sim::kMaxTools) see(e, static_cast<size_t>(e.tool), sample);
+        }
+        for (size_t t = 0; t < sim::kMaxTools; ++t) look(t, sample.tools[t]);
+    }
+}
+
 /// Seconds during which held tissue was lifted, from the height of the tip since its grasp.
 double lifted_s(const sim::Recording& recording) {
     constexpr float kLiftedM = 0.0007F;
     double sum = 0;
     std::array<float, sim::kMaxTools> from{};
     std::array<bool, sim::kMaxTools> holding{};
-    size_t next = 0;
-    for (const sim::Sample& sample : recording.samples) {
-        for (; next < recording.events.size() && recording.events[next].time_s <= sample.time_s;
-             ++next) {
-            const sim::Event& e = recording.events[next];
-            if (e.tool < 0 || e.tool >= sim::kMaxTools) continue;
-            const auto t = static_cast<size_t>(e.tool);
+    go_through(
+        recording,
+        [&](const sim::Event& e, size_t t, const sim::Sample& sample) {
             if (e.kind == sim::EventKind::kGrasped) {
                 holding[t] = true;
                 from[t] = sample.tools[t].tip_m[2];
             } else if (e.kind == sim::EventKind::kReleased) {
                 holding[t] = false;
             }
-        }
-        for (size_t t = 0; t < sim::kMaxTools; ++t) {
-            if (holding[t] && sample.tools[t].tip_m[2] - from[t] > kLiftedM) {
-                sum += recording.header.sample_s;
+        },
+        [&](size_t t, const sim::ToolSample& tool) {
+            if (holding[t] && tool.tip_m[2] - from[t] > kLiftedM) sum += recording.header.sample_s;
+        });
+    return sum;
+}
+
+/// Seconds during which jaws crushed. The ledger enters when a grasp begins to; it goes on until
+/// they let go, while they are shut as far as then: their force follows from their opening alone.
+double crushed_s(const sim::Recording& recording) {
+    double sum = 0;
+    std::array<bool, sim::kMaxTools> crushing{};
+    std::array<float, sim::kMaxTools> enough{}, last{};  // openings [rad]
+    go_through(
+        recording,
+        [&](const sim::Event& e, size_t t, const sim::Sample& sample) {
+            if (e.kind == sim::EventKind::kCrushed) {
+                crushing[t] = true;
+                enough[t] = std::max(last[t], sample.tools[t].jaw_rad);
+            } else if (e.kind == sim::EventKind::kReleased) {
+                crushing[t] = false;
             }
-        }
-    }
+        },
+        [&](size_t t, const sim::ToolSample& tool) {
+            if (crushing[t] && tool.jaw_rad <= enough[t]) sum += recording.header.sample_s;
+            last[t] = tool.jaw_rad;
+        });
     return sum;
 }
 
@@ -102,14 +132,15 @@ void add_dissection(const sim::Recording& recording, std::vector<Metric>& out) {
     }
     if (jaws) {
         const EventSum released = total(recording, EventKind::kReleased);
+        const EventSum crushes = total(recording, EventKind::kCrushed);
         const EventSum pulls = total(recording, EventKind::kOverTraction);
         out.push_back({"grasps", static_cast<double>(total(recording, EventKind::kGrasped).count)});
         out.push_back({"lift_hold_s", lifted_s(recording)});
         out.push_back(
             {"slip_count", static_cast<double>(total(recording, EventKind::kSlipped).count)});
+        out.push_back({"crush_count", crushes.count + crushed_s(recording) / kAgainS});
         out.push_back(
-            {"crush_count", static_cast<double>(total(recording, EventKind::kCrushed).count)});
-        out.push_back({"over_traction_count", static_cast<double>(pulls.count)});
+            {"over_traction_count", times_of(spells_of(recording, EventKind::kOverTraction))});
         out.push_back({"peak_traction_mn", std::max(released.peak, pulls.peak) * 1e3});
     }
 }

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How hard the instruments pressed, and what tore.
+// How hard the instruments pressed, how often and how long too hard, and what tore.
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include "assessment/tissue_metric_parts.h"
 #include "haptics/json_scan.h"
@@ -12,6 +13,10 @@
 namespace placode::assessment {
 
 namespace {
+
+/// A spell this long after the last one is a new one [s]. Longer than kAgainS: see times_of().
+constexpr double kPauseS = 3;
+static_assert(kPauseS > kAgainS);
 
 /// The force that the scene of the task calls too much [N]; nothing where the recording does not
 /// say.
@@ -32,6 +37,40 @@ std::optional<double> over_force_n(const std::string& task_json) {
 
 }  // namespace
 
+std::vector<Spell> spells_of(const sim::Recording& recording, sim::EventKind kind) {
+    std::vector<Spell> spells;
+    for (const sim::Event& event : recording.events)
+        if (event.kind == kind)
+            spells.push_back({event.tool, event.time_s - event.value, event.time_s});
+    return spells;
+}
+
+double times_of(std::vector<Spell> spells) {
+    std::erase_if(spells, [](const Spell& spell) {
+        return !std::isfinite(spell.from_s) || !std::isfinite(spell.to_s);
+    });
+    std::ranges::sort(spells, {}, [](const Spell& each) {
+        return std::tuple(each.tool, each.from_s, each.to_s);
+    });
+    double times = 0, until_s = 0;
+    const Spell* last = nullptr;
+    for (const Spell& spell : spells) {
+        const bool first = last == nullptr || last->tool != spell.tool;
+        last = &spell;
+        if (first) {
+            until_s = spell.from_s;
+            ++times;
+        } else if (spell.from_s > until_s) {
+            times += std::min(1.0, (spell.from_s - until_s) / kPauseS);
+            until_s = spell.from_s;
+        }
+        if (spell.to_s <= until_s) continue;
+        times += (spell.to_s - until_s) / kAgainS;
+        until_s = spell.to_s;
+    }
+    return times;
+}
+
 void add_force(const sim::Recording& recording, std::vector<Metric>& out) {
     double peak = 0;
     for (const sim::Sample& sample : recording.samples) {
@@ -50,7 +89,7 @@ void add_force(const sim::Recording& recording, std::vector<Metric>& out) {
         if (is_skin(event.tissue)) torn_skin_m3 += event.value;
     }
     out.push_back({"peak_force_mn", peak * 1e3});
-    out.push_back({"over_force_count", static_cast<double>(over.count)});
+    out.push_back({"over_force_count", times_of(spells_of(recording, sim::EventKind::kOverForce))});
     out.push_back({"over_force_s", over.value});
     out.push_back({"torn_volume_mm3", torn_m3 * 1e9});
     out.push_back({"torn_skin_mm3", torn_skin_m3 * 1e9});

@@ -92,7 +92,9 @@ constexpr MetricDefinition kMetrics[] = {
     {"peak_force_mn", "Peak force", "mN", kLowerIsBetter,
      "Largest force of an instrument on tissue.", "Placode"},
     {"over_force_count", "Force above the scene's limit", "", kLowerIsBetter,
-     "Times the force was above the scene's limit.", "Placode"},
+     "Times the force was above the scene's limit, and once more for each 2 s that it was; a spell "
+     "that begins within 3 s of the last one's end counts as the share of 3 s between them.",
+     "Placode"},
     {"over_force_s", "Time above the scene's force limit", "s", kLowerIsBetter,
      "Time with the force above the scene's limit.", "Placode"},
     {"torn_volume_mm3", "Torn tissue", "mm3", kLowerIsBetter,
@@ -133,9 +135,13 @@ constexpr MetricDefinition kMetrics[] = {
     {"slip_count", "Slips of the grasper", "", kLowerIsBetter,
      "Times that tissue slid out of the jaws.", "Placode"},
     {"crush_count", "Crushed", "", kLowerIsBetter,
-     "Grasps with a jaw pressure above the tissue's limit.", "Placode"},
+     "Grasps with a jaw pressure above the tissue's limit, each once more for each 2 s that the "
+     "jaws stayed shut as far.",
+     "Placode"},
     {"over_traction_count", "Pulled too hard", "", kLowerIsBetter,
-     "Pulls above the tissue's limit for over 0.3 s.", "Placode"},
+     "Pulls above the tissue's limit for over 0.3 s, and once more for each 2 s of them; one that "
+     "begins within 3 s of the last one's end counts as the share of 3 s between them.",
+     "Placode"},
     {"peak_traction_mn", "Peak traction", "mN", kLowerIsBetter,
      "Largest pull of held tissue on the jaws.", "Placode"},
     {"path_length_mm", "Path length", "mm", kLowerIsBetter,

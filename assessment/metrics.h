@@ -17,7 +17,8 @@ namespace placode::assessment {
 /// 12: a slit under pressure. 13: how hard a thread was drawn. 14: how a patch lies. 15: how a
 /// field was washed. 16: how far skin is undermined.
 /// 17: skin burned anywhere; one value for each stretch of a traced line and each target.
-inline constexpr int kMetricSetVersion = 17;
+/// 18: what lasts counts more, a line traced far off, energy into healthy skin.
+inline constexpr int kMetricSetVersion = 18;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

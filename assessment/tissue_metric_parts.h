@@ -30,6 +30,21 @@ struct EventSum {
     return sum;
 }
 
+/// A time in which one instrument did too much [s].
+struct Spell {
+    int tool = -1;
+    double from_s = 0, to_s = 0;
+};
+inline constexpr double kAgainS = 2;  ///< A spell counts once more for each time like this.
+
+/// Spells as a number of times: one for the first of an instrument, once more for each kAgainS of
+/// each, and one for the next where it begins kPauseS or later, before that in proportion. A pause
+/// weighs less than the same time in the spell, so that nothing is gained by pressing on through a
+/// pause, nor by pauses in a spell; and time that spells share counts once.
+[[nodiscard]] double times_of(std::vector<Spell> spells);
+/// Spells of a kind whose event was raised at the end of one, with its length.
+[[nodiscard]] std::vector<Spell> spells_of(const sim::Recording& recording, sim::EventKind kind);
+
 [[nodiscard]] inline bool is_skin(sim::Tissue tissue) noexcept {
     return tissue == sim::Tissue::kSkin || tissue == sim::Tissue::kThinSkin;
 }

@@ -305,7 +305,8 @@ TEST_P(ExamBegins, AnOlderVersionOfTheTaskIsNoExam) {
                 HasSubstr("update Placode"))
         << "the simulator here would perform the older one";
     EXPECT_THAT(take(result_of(order)).void_reason,
-                HasSubstr("the exam asked for another version than touch_targets version 1"));
+                HasSubstr("the exam asked for another version than touch_targets version " +
+                          std::to_string(task.version)));
 }
 
 TEST_P(ExamBegins, AnotherTextOfATaskOfPlacodeIsNotPublished) {

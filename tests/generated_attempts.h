@@ -147,6 +147,12 @@ class AttemptMaker {
         return recording.events.back();
     }
 
+    /// In the order of time, as a recording has its events.
+    static void sort(sim::Recording& recording) {
+        std::stable_sort(recording.events.begin(), recording.events.end(),
+                         [](const Event& a, const Event& b) { return a.time_s < b.time_s; });
+    }
+
  private:
     static constexpr double kPlan = 0.006;
 
@@ -157,10 +163,6 @@ class AttemptMaker {
             points.emplace_back(radius_m * std::cos(a), radius_m * std::sin(a), 0);
         }
         return points;
-    }
-    static void sort(sim::Recording& recording) {
-        std::stable_sort(recording.events.begin(), recording.events.end(),
-                         [](const Event& a, const Event& b) { return a.time_s < b.time_s; });
     }
 
     /// Of the tasks that attempts were made for, by their ids.
@@ -386,7 +388,7 @@ class AttemptMaker {
                  all[static_cast<size_t>(whole(0, 3))]);
     }
     void press(sim::Recording& r) {
-        const Event e = anywhere(r, EventKind::kOverForce, number(0.05, 2), number(0.2, 1));
+        const Event e = anywhere(r, EventKind::kOverForce, number(0.05, 20), number(0.2, 1));
         r.samples[static_cast<size_t>(whole(0, 299))].tools[0].force_n = {0, 0, e.value2};
     }
     void waste_energy(sim::Recording& r) {

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
+#include <string_view>
 
 #include "assessment/loci.h"
 #include "assessment/scoring.h"
@@ -346,6 +348,39 @@ TEST_P(ScoringProperties, BurnedHealthySkinCostsHoweverFarFromTheLine) {
             EXPECT_EQ(much.verdict, Verdict::kFailed) << beyond_m;
         }
     }
+}
+
+bool judges(const curriculum::Task& task, std::string_view metric) {
+    return std::any_of(task.rubric.items.begin(), task.rubric.items.end(),
+                       [&](const auto& item) { return item.metric == metric; });
+}
+
+/// No amount of a harm is free: the next one costs more, up to the cap of its line.
+TEST_P(ScoringProperties, MoreOfOneHarmCostsMore) {
+    using sim::EventKind;
+    const auto rises = [&](const char* metric, std::initializer_list<double> amounts, auto add) {
+        if (!judges(task, metric)) return;
+        double before = 0;
+        for (const double amount : amounts) {
+            sim::Recording recording = done(task, 1);
+            add(recording, amount);
+            AttemptMaker::sort(recording);
+            const Score score = score_of(task, recording);
+            EXPECT_GT(100 - score.points, before + kNoReason)
+                << metric << " " << amount << told(score);
+            before = 100 - score.points;
+        }
+    };
+    const auto lasting = [](EventKind kind, double value2) {
+        return [=](sim::Recording& r, double seconds) {
+            AttemptMaker::put(r, kind, 29, seconds, value2, 0.004, 0.003);
+        };
+    };
+    rises("over_force_count", {0.05, 1, 2, 3}, lasting(EventKind::kOverForce, 0.05));
+    rises("over_traction_count", {0.3, 1, 2, 3}, lasting(EventKind::kOverTraction, 0.02));
+    rises("crush_count", {0.1, 0.8, 1.6}, [](sim::Recording& r, double seconds) {
+        AttemptMaker::put(r, EventKind::kCrushed, 29.9 - seconds, 2e5, 1, 0.004, 0.003);
+    });
 }
 
 /// "Gentle with tissue, no points lost" is not said over 2 mm3 that tore, nor over a tip in tissue.

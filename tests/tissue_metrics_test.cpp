@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "sim/cutting/attempt_progress.h"
 #include "sim/ledger/damage.h"
@@ -309,6 +310,104 @@ TEST(TissueMetrics, BurnedSkinCountsBeyondTheEdgeHoweverFarItIs) {
     EXPECT_NEAR(burned(0, sim::Tissue::kSkin), 2, 1e-6) << "no lesion, no excuse";
 }
 
+/// Spells above the force limit, each from and to [s].
+double over_force(const std::vector<std::pair<double, double>>& spells, int tool = 0) {
+    sim::Recording recording;
+    recording.samples.resize(1);
+    for (const auto& [from_s, to_s] : spells) {
+        sim::Event event;
+        event.time_s = to_s;
+        event.kind = sim::EventKind::kOverForce;
+        event.value = static_cast<float>(to_s - from_s);
+        event.tool = static_cast<int8_t>(tool);
+        recording.events.push_back(event);
+    }
+    return *compute_metrics(recording).find("over_force_count");
+}
+
+TEST(TissueMetrics, ASpellAboveTheLimitCountsOnceAndOnceMoreForEachTwoSeconds) {
+    EXPECT_EQ(over_force({}), 0);
+    EXPECT_NEAR(over_force({{10, 10.1}}), 1.05, 1e-6);
+    EXPECT_NEAR(over_force({{10, 70}}), 31, 1e-5);
+    EXPECT_NEAR(over_force({{10, 10.1}, {20, 20.1}}), 2.1, 1e-6);
+    EXPECT_NEAR(over_force({{20, 20.1}, {10, 10.1}}), 2.1, 1e-6) << "in whatever order";
+    EXPECT_NEAR(over_force({{10, 11}, {11.3, 12}}), 1 + 0.5 + 0.1 + 0.35, 1e-6);
+    EXPECT_NEAR(over_force({{10, 12}, {11, 12}, {10.5, 11.5}}), 2, 1e-6) << "the same two seconds";
+    EXPECT_NEAR(over_force({{10, std::nan("")}, {10, 12}}), 2, 1e-6);
+}
+
+/// As a recording has them: spells that overlap are one.
+std::vector<std::pair<double, double>> joined(std::vector<std::pair<double, double>> spells) {
+    std::sort(spells.begin(), spells.end());
+    std::vector<std::pair<double, double>> whole;
+    for (const auto& [from_s, to_s] : spells) {
+        if (whole.empty() || from_s > whole.back().second)
+            whole.emplace_back(from_s, to_s);
+        else
+            whole.back().second = std::max(whole.back().second, to_s);
+    }
+    return whole;
+}
+
+TEST(TissueMetrics, NeitherAPauseNorPressingOnThroughOneLowersTheCount) {
+    std::mt19937 random(7);
+    const auto number = [&](double least, double most) {
+        return std::uniform_real_distribution<double>(least, most)(random);
+    };
+    for (int i = 0; i < 300; ++i) {
+        std::vector<std::pair<double, double>> spells;
+        for (double at = 1; spells.size() < 6; at = spells.back().second + number(0.05, 5))
+            spells.emplace_back(at, at + number(0.05, 6));
+        const double before = over_force(spells);
+        // More of it, wherever: in a pause, across spells, beside them.
+        const double from = number(0, 40);
+        auto more = spells;
+        more.emplace_back(from, from + number(0.05, 8));
+        EXPECT_GE(over_force(joined(more)), before - 1e-5);
+        // A pause within a spell, the time above the limit being the same.
+        const size_t which = i % spells.size();
+        auto [begin, end] = spells[which];
+        const double middle = number(begin, end), pause = number(0.05, 5);
+        auto split = spells;
+        split[which].second = middle;
+        for (size_t k = which + 1; k < split.size(); ++k) {
+            split[k].first += pause;
+            split[k].second += pause;
+        }
+        split.emplace_back(middle + pause, end + pause);
+        EXPECT_GE(over_force(split), before - 1e-5);
+    }
+}
+
+TEST(TissueMetrics, JawsThatStayShutOnCrushedTissueCrushOn) {
+    sim::Recording recording;
+    recording.header.tools.resize(1);
+    recording.header.tools[0].kind = sim::ToolKind::kGrasper;
+    for (int i = 0; i <= 1000; ++i) {
+        sim::Sample sample;
+        sample.time_s = 0.01 * i;
+        sample.tools[0].jaw_rad = i < 100 ? 0.2F : 0.1F;
+        recording.samples.push_back(sample);
+    }
+    const auto count = [&] { return *compute_metrics(recording).find("crush_count"); };
+    const auto add = [&](sim::EventKind kind, double time_s) {
+        sim::Event event;
+        event.kind = kind;
+        event.time_s = time_s;
+        event.tool = 0;
+        recording.events.push_back(event);
+    };
+    EXPECT_EQ(count(), 0);
+    add(sim::EventKind::kCrushed, 2);
+    EXPECT_NEAR(count(), 1 + 8 / 2.0, 0.02) << "to the end";
+    for (size_t i = 600; i < 800; ++i) recording.samples[i].tools[0].jaw_rad = 0.12F;
+    EXPECT_NEAR(count(), 1 + 6 / 2.0, 0.02) << "eased for two seconds";
+    add(sim::EventKind::kReleased, 5);
+    EXPECT_NEAR(count(), 1 + 3 / 2.0, 0.02);
+    add(sim::EventKind::kCrushed, 9.9);
+    EXPECT_NEAR(count(), 2 + 3.1 / 2.0, 0.02);
+}
+
 TEST(TissueMetrics, LedgerAndSamplesBecomeMetrics) {
     sim::Recording recording = ring(0, 359, 0);
     const auto add = [&](sim::EventKind kind, float value, float value2,
@@ -346,6 +445,7 @@ TEST(TissueMetrics, LedgerAndSamplesBecomeMetrics) {
     EXPECT_NEAR(*m.find("placode_peak_force_mn"), 30, 1e-4);
     EXPECT_NEAR(*m.find("dwell_s"), 1.5, 1e-6);
     EXPECT_NEAR(*m.find("over_force_s"), 0.2, 1e-6);
+    EXPECT_NEAR(*m.find("over_force_count"), 1.1, 1e-6);
     EXPECT_NEAR(*m.find("peak_force_mn"), 600, 1e-3);
     EXPECT_NEAR(*m.find("torn_skin_mm3"), 2, 1e-6);
     EXPECT_NEAR(*m.find("placode_cut_mm3"), 1, 1e-6);
@@ -432,7 +532,7 @@ TEST(TissueMetrics, GrasperAndScissorsAreSummedFromTheirEvents) {
     EXPECT_NEAR(*m.find("resected_mm3"), 3, 1e-5);
     EXPECT_NEAR(*m.find("resected_percent"), 75, 1e-4);
     EXPECT_EQ(*m.find("grasps"), 1);
-    EXPECT_EQ(*m.find("crush_count"), 1);
+    EXPECT_NEAR(*m.find("crush_count"), 1 + 1.5 / 2, 0.01) << "from 1.5 to 3 s";
     EXPECT_NEAR(*m.find("peak_traction_mn"), 25, 1e-4);
     // In the order of the definitions, each once.
     size_t at = 0;

@@ -84,7 +84,10 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Time of those activations that stayed on one spot for over 1 s."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Largest force of an instrument on tissue."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Times the force was above the scene's limit."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Times the force was above the scene's limit, and once more for each 2 s "
+                      "that it was; a spell that begins within 3 s of the last one's end counts as "
+                      "the share of 3 s between them."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Time with the force above the scene's limit."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Undeformed volume of elements torn by stretch."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Undeformed volume of skin elements torn by stretch."),
@@ -107,8 +110,13 @@ namespace {
         "MetricDefinition",
         "Time during which held tissue was at least 0.7 mm above where it was grasped."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that tissue slid out of the jaws."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Grasps with a jaw pressure above the tissue's limit."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Pulls above the tissue's limit for over 0.3 s."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Grasps with a jaw pressure above the tissue's limit, each once more for "
+                      "each 2 s that the jaws stayed shut as far."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Pulls above the tissue's limit for over 0.3 s, and once more for each 2 s of them; one "
+        "that begins within 3 s of the last one's end counts as the share of 3 s between them."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Largest pull of held tissue on the jaws."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Length of the paths of the instrument tips, filtered at 10 Hz, 100 Hz."),

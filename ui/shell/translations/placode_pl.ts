@@ -3396,8 +3396,8 @@
         <translation>Największa siła narzędzia działająca na tkankę.</translation>
     </message>
     <message>
-        <source>Times the force was above the scene's limit.</source>
-        <translation>Ile razy siła przekroczyła granicę sceny.</translation>
+        <source>Times the force was above the scene&apos;s limit, and once more for each 2 s that it was; a spell that begins within 3 s of the last one&apos;s end counts as the share of 3 s between them.</source>
+        <translation>Ile razy siła przekroczyła granicę sceny, i jeszcze raz za każde 2 s przekroczenia; okres, który zaczyna się w ciągu 3 s od końca poprzedniego, liczy się jako ta część 3 s, która je dzieli.</translation>
     </message>
     <message>
         <source>Time with the force above the scene's limit.</source>
@@ -3452,12 +3452,12 @@
         <translation>Ile razy tkanka wysunęła się ze szczęk.</translation>
     </message>
     <message>
-        <source>Grasps with a jaw pressure above the tissue's limit.</source>
-        <translation>Uchwycenia z naciskiem szczęk powyżej granicy tkanki.</translation>
+        <source>Grasps with a jaw pressure above the tissue&apos;s limit, each once more for each 2 s that the jaws stayed shut as far.</source>
+        <translation>Uchwycenia z naciskiem szczęk powyżej granicy tkanki, każde jeszcze raz za każde 2 s, w których szczęki były tak samo zaciśnięte.</translation>
     </message>
     <message>
-        <source>Pulls above the tissue's limit for over 0.3 s.</source>
-        <translation>Pociągnięcia powyżej granicy tkanki trwające ponad 0,3 s.</translation>
+        <source>Pulls above the tissue&apos;s limit for over 0.3 s, and once more for each 2 s of them; one that begins within 3 s of the last one&apos;s end counts as the share of 3 s between them.</source>
+        <translation>Pociągnięcia powyżej granicy tkanki trwające ponad 0,3 s, i jeszcze raz za każde ich 2 s; takie, które zaczyna się w ciągu 3 s od końca poprzedniego, liczy się jako ta część 3 s, która je dzieli.</translation>
     </message>
     <message>
         <source>Largest pull of held tissue on the jaws.</source>
