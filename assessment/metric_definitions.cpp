@@ -403,7 +403,7 @@ constexpr MetricDefinition kMetrics[] = {
      "Share of the planned contour along which the tip passed within 1 mm.", "Placode"},
     {"trace_error_mm", "Distance from the line", "mm", kLowerIsBetter,
      "Mean distance of the tip from the planned contour over stretches of 5 degrees, of each its "
-     "worst pass.",
+     "worst pass; beyond 3 mm a pass counts where the tip goes along the surface for over 0.3 s.",
      "Placode"},
     {"trace_error_p95_mm", "Distance from the line, 95th percentile", "mm", kLowerIsBetter,
      "95th percentile of that distance, over the same stretches.", "Placode"},

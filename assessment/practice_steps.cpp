@@ -17,7 +17,8 @@ using sim::PracticeKind;
 namespace {
 
 constexpr double kNearSurfaceM = 0.001;  // a tip this near follows the line
-constexpr double kNotThisLineM = 0.003;  // further off it does not follow this line at all
+constexpr double kNotThisLineM = 0.003;  // further off it is on its way to the line,
+constexpr double kStrayedS = 0.3;        // unless it stays there for longer than this
 constexpr int kBinsEnough = 69;          // of 72: the last ones meet the first
 constexpr double kTakenWithin = 0.15;    // of the needle's arc
 constexpr double kEasedShare = 0.5;      // of a pull that is enough: below it the hand gave way
@@ -173,12 +174,18 @@ void PracticeTracker::close_bin(int tool, double) noexcept {
 bool PracticeTracker::did_trace(const sim::ToolSample& tool, int index, double time_s) noexcept {
     if (contour_.empty()) return true;
     const ClosedContour::Foot foot = contour_[0].nearest(tip(tool).head<2>());
-    const bool follows = tool.tip_gap_m < kNearSurfaceM && std::abs(foot.offset) < kNotThisLineM;
+    const bool near = tool.tip_gap_m < kNearSurfaceM;
+    const bool far = std::abs(foot.offset) >= kNotThisLineM;
+    const bool strayed = held_s_ > kStrayedS;
+    held_s_ = near && far ? held_s_ + dt_ : 0;
+    const bool strays = held_s_ > kStrayedS;
+    const bool follows = near && (!far || strays);
     const int bin =
         !follows ? -1
                  : std::clamp(static_cast<int>(sim::kTraceBins * foot.arc / contour_[0].length()),
                               0, sim::kTraceBins - 1);
-    if (bin != bin_) {
+    // One pass is near the line or far from it: else time near it would thin out the fault.
+    if (bin != bin_ || strays != strayed) {
         close_bin(index, time_s);
         bin_ = bin;
         bin_samples_ = 0;

@@ -117,11 +117,11 @@ class AttemptMaker {
             &AttemptMaker::snip_skin,     &AttemptMaker::miss,         &AttemptMaker::cut_astray,
             &AttemptMaker::dawdle,        &AttemptMaker::look_away,    &AttemptMaker::stitch,
             &AttemptMaker::shift_patch,   &AttemptMaker::wash_badly,   &AttemptMaker::dig,
-            &AttemptMaker::burn_skin,     &AttemptMaker::trace_again};
+            &AttemptMaker::burn_skin,     &AttemptMaker::trace_again,  &AttemptMaker::stray};
         (this->*kinds[which])(recording);
         sort(recording);
     }
-    static constexpr size_t kHarms = 20;
+    static constexpr size_t kHarms = 21;
 
     /// Some of what is asked, some harm.
     sim::Recording some(const curriculum::Task& task) {
@@ -448,6 +448,17 @@ class AttemptMaker {
         if (first == r.events.end()) return;
         const int bin = static_cast<int>(first->value);
         for (int i = 0; i < passes; ++i) put(r, EventKind::kTraced, when, bin, offset);
+    }
+    /// Along no line at all, beside any stretch of this one.
+    void stray(sim::Recording& r) {
+        const bool traces = std::any_of(r.events.begin(), r.events.end(), [](const Event& e) {
+            return e.kind == EventKind::kTraced;
+        });
+        if (!traces) return;
+        const int from = whole(0, sim::kTraceBins - 1), passes = whole(1, 20);
+        for (int i = 0; i < passes; ++i)
+            put(r, EventKind::kTraced, number(1, 29), (from + i) % sim::kTraceBins,
+                number(0.003, 0.009));
     }
     /// Healthy skin, from beside the lesion to the edge of the field.
     void burn_skin(sim::Recording& r) {

@@ -176,6 +176,38 @@ TEST(Practice, TracingMeasuresTheDistanceFromTheLine) {
     EXPECT_GT(*metrics.find("trace_coverage_percent"), 95);
 }
 
+TEST(Practice, TracingFarFromTheLineIsAFaultAndNoPass) {
+    Attempt attempt({{.kind = PracticeKind::kTrace, .tolerance_m = 0.001}});
+    go_around(attempt, 0.0001, 180);
+    const double good = *attempt.metrics().find("trace_error_mm");
+    go_around(attempt, 0.004, 90);
+    EXPECT_FALSE(attempt.tracker().done());
+    attempt.tip(0, Vec3(0.02, 0, 0.01));
+    attempt.tool(0).tip_gap_m = 0.01F;
+    attempt.see();
+    const MetricSet metrics = attempt.metrics();
+    // 36 stretches with 0.1 mm, then 18 of them with 4 mm, of which 0.3 s are two or three.
+    EXPECT_NEAR(good, 0.1, 0.01);
+    EXPECT_NEAR(*metrics.find("trace_error_mm"), (20.5 * 0.1 + 15.5 * 4) / 36, 0.06);
+    EXPECT_NEAR(*metrics.find("trace_error_p95_mm"), 4, 0.05);
+    EXPECT_NEAR(*metrics.find("trace_coverage_percent"), 50, 2);
+}
+
+TEST(Practice, WhoComesFromAfarIsOnTheWayAndLiftedIsNotTracing) {
+    Attempt attempt({{.kind = PracticeKind::kTrace, .tolerance_m = 0.001}});
+    attempt.tool(0).tip_gap_m = 0.0002F;
+    for (int i = 0; i < 25; ++i) {  // a quarter of a second, 14 to 8.6 mm from the middle
+        attempt.tip(0, Vec3(0.014 - 0.000225 * i, 0, 0));
+        attempt.see();
+    }
+    go_around(attempt, 0.0001, 180);
+    attempt.tool(0).tip_gap_m = 0.002F;
+    attempt.tip(0, Vec3(0.02, 0, 0.002));
+    attempt.see(500);
+    const MetricSet metrics = attempt.metrics();
+    EXPECT_LT(*metrics.find("trace_error_p95_mm"), 0.2);
+}
+
 /// A traced line as events: every stretch at `offset_m`.
 sim::Recording traced(double offset_m) {
     sim::Recording recording;

@@ -381,6 +381,10 @@ TEST_P(ScoringProperties, MoreOfOneHarmCostsMore) {
     rises("crush_count", {0.1, 0.8, 1.6}, [](sim::Recording& r, double seconds) {
         AttemptMaker::put(r, EventKind::kCrushed, 29.9 - seconds, 2e5, 1, 0.004, 0.003);
     });
+    rises("trace_error_mm", {1, 4, 7}, [](sim::Recording& r, double stretches) {
+        for (int bin = 0; bin < static_cast<int>(stretches); ++bin)
+            AttemptMaker::put(r, EventKind::kTraced, 20, 3 * bin, 0.005);
+    });
 }
 
 /// "Gentle with tissue, no points lost" is not said over 2 mm3 that tore, nor over a tip in tissue.

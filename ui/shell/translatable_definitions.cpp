@@ -219,7 +219,8 @@ namespace {
                       "Share of the planned contour along which the tip passed within 1 mm."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Mean distance of the tip from the planned contour over stretches of 5 "
-                      "degrees, of each its worst pass."),
+                      "degrees, of each its worst pass; beyond 3 mm a pass counts where the tip "
+                      "goes along the surface for over 0.3 s."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "95th percentile of that distance, over the same stretches."),
     QT_TRANSLATE_NOOP("MetricDefinition",

@@ -3672,8 +3672,8 @@
         <translation>Część planowanej linii, wzdłuż której końcówka przeszła w odległości do 1 mm.</translation>
     </message>
     <message>
-        <source>Mean distance of the tip from the planned contour over stretches of 5 degrees, of each its worst pass.</source>
-        <translation>Średnia odległość końcówki od planowanej linii na odcinkach po 5 stopni, z każdego najgorsze przejście.</translation>
+        <source>Mean distance of the tip from the planned contour over stretches of 5 degrees, of each its worst pass; beyond 3 mm a pass counts where the tip goes along the surface for over 0.3 s.</source>
+        <translation>Średnia odległość końcówki od planowanej linii na odcinkach po 5 stopni, z każdego najgorsze przejście; dalej niż 3 mm przejście liczy się, gdy końcówka sunie po powierzchni dłużej niż 0,3 s.</translation>
     </message>
     <message>
         <source>95th percentile of that distance, over the same stretches.</source>
