@@ -381,10 +381,21 @@ TEST_P(ScoringProperties, MoreOfOneHarmCostsMore) {
     rises("crush_count", {0.1, 0.8, 1.6}, [](sim::Recording& r, double seconds) {
         AttemptMaker::put(r, EventKind::kCrushed, 29.9 - seconds, 2e5, 1, 0.004, 0.003);
     });
+    rises("torn_volume_mm3", {1, 4, 9, 16, 19}, [](sim::Recording& r, double mm3) {
+        AttemptMaker::put(r, EventKind::kTorn, 12, 1e-9 * mm3, 2, 0.004, 0.003);
+    });
     rises("trace_error_mm", {1, 4, 7}, [](sim::Recording& r, double stretches) {
         for (int bin = 0; bin < static_cast<int>(stretches); ++bin)
             AttemptMaker::put(r, EventKind::kTraced, 20, 3 * bin, 0.005);
     });
+}
+
+/// Far beyond what a hand tears by mischance nothing else makes up for it.
+TEST_P(ScoringProperties, FarTooMuchTornTissueFails) {
+    sim::Recording recording = done(task, 1);
+    AttemptMaker::put(recording, sim::EventKind::kTorn, 12, 1e-7, 2, 0.004, 0.003);
+    const Score score = score_of(task, recording);
+    EXPECT_EQ(score.verdict, Verdict::kFailed) << told(score);
 }
 
 /// "Gentle with tissue, no points lost" is not said over 2 mm3 that tore, nor over a tip in tissue.
