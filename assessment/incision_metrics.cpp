@@ -114,6 +114,13 @@ void add_burned_skin(const sim::Recording& recording, std::vector<Metric>& out) 
     for (const sim::Event& event : recording.events)
         if (event.value > 0 && skin.burned(event)) burned_m3 += event.value;
     out.push_back({"skin_burned_mm3", burned_m3 * 1e9});
+    // What is heated and stays shows nowhere else: a recording holds no tissue.
+    double joules = 0;
+    for (const sim::Sample& sample : recording.samples)
+        for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i)
+            if (skin.heated(sample.tools[i]))
+                joules += sample.tools[i].power_w * recording.header.sample_s;
+    out.push_back({"skin_heat_j", joules});
 }
 
 void add_cutting_economy(const sim::Recording& recording, std::vector<Metric>& out) {

@@ -161,6 +161,23 @@ Locus locate_force(const sim::Recording& recording) {
     return locus;
 }
 
+/// Where energy first reached healthy skin.
+Locus locate_skin_heat(const sim::Recording& recording) {
+    const HealthySkin skin(recording.header.geometry);
+    Locus locus;
+    for (const sim::Sample& sample : recording.samples) {
+        for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i) {
+            const sim::ToolSample& tool = sample.tools[i];
+            if (!skin.heated(tool)) continue;
+            locus.count = 1;
+            locus.time_s = sample.time_s;
+            locus.at_m = Vec2(tool.tip_m[0], tool.tip_m[1]);
+            return locus;
+        }
+    }
+    return locus;
+}
+
 /// Beginning of the longest spell with a tip outside the picture.
 Locus locate_out_of_view(const sim::Recording& recording) {
     Locus locus;
@@ -364,6 +381,7 @@ Locus locate(std::string_view metric, double threshold, const sim::Recording& re
         metric == "resected_mm3")
         return locate_left(recording);
     if (metric == "peak_traction_mn") return locate_pull(recording);
+    if (metric == "skin_heat_j") return locate_skin_heat(recording);
     if (metric == "peak_force_mn") return locate_force(recording);
     if (metric == "out_of_view_s") return locate_out_of_view(recording);
     if (metric == "task_time_s") {

@@ -106,6 +106,10 @@ constexpr MetricDefinition kMetrics[] = {
      "however "
      "far from the plan.",
      "Placode"},
+    {"skin_heat_j", "Energy into healthy skin", "J", kLowerIsBetter,
+     "Energy that reached skin more than 1 mm outside the lesion's edge, whether it removed any or "
+     "not.",
+     "Placode"},
     {"released_deg", "Placode released", "deg", kHigherIsBetter,
      "Sectors of 5 degrees in which no tissue leads from the placode to the skin.", "Placode"},
     {"placode_snip_mm2", "Placode cut by scissors", "mm2", kLowerIsBetter,

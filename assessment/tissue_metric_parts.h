@@ -49,25 +49,33 @@ inline constexpr double kAgainS = 2;  ///< A spell counts once more for each tim
     return tissue == sim::Tissue::kSkin || tissue == sim::Tissue::kThinSkin;
 }
 
-/// Which of what heat removed was healthy skin. A kerf may reach 1 mm beyond the edge of the
-/// lesion, wherever the plan runs; farther out nothing is part of the operation, however far it is.
-/// Where a scene has no lesion, or an event no place, nothing excuses the loss.
+/// Which of what heat removed, or warmed, was healthy skin. A kerf may reach 1 mm beyond the edge
+/// of the lesion, wherever the plan runs; farther out nothing is part of the operation, however far
+/// it is. Where a scene has no lesion, or an event no place, nothing excuses the loss.
 class HealthySkin {
  public:
     explicit HealthySkin(const sim::FieldGeometry& geometry) {
         if (geometry.skin_edge.size() >= 3) edge_.emplace(geometry.skin_edge);
     }
+    [[nodiscard]] bool holds(sim::Tissue tissue, const Vec2& at_m) const noexcept {
+        return is_skin(tissue) &&
+               (!edge_ || !at_m.allFinite() || edge_->nearest(at_m).offset > kOutsideSkinM);
+    }
     [[nodiscard]] bool burned(const sim::Event& event) const noexcept {
-        if (event.kind != sim::EventKind::kVaporised || !is_skin(event.tissue)) return false;
-        const Vec2 at(event.rest_position_m[0], event.rest_position_m[1]);
-        return !edge_ || !at.allFinite() || edge_->nearest(at).offset > kOutsideSkinM;
+        return event.kind == sim::EventKind::kVaporised &&
+               holds(event.tissue, {event.rest_position_m[0], event.rest_position_m[1]});
+    }
+    /// Current flows into it. A tip stands where tissue is now, which near the edge may have been
+    /// drawn along by less than a kerf may reach.
+    [[nodiscard]] bool heated(const sim::ToolSample& tool) const noexcept {
+        return tool.power_w > 0 && holds(tool.touched, {tool.tip_m[0], tool.tip_m[1]});
     }
 
  private:
     std::optional<ClosedContour> edge_;
 };
 
-/// Skin that heat removed outside of the lesion.
+/// Skin that heat removed outside of the lesion, and energy that reached skin there.
 void add_burned_skin(const sim::Recording& recording, std::vector<Metric>& out);
 /// Where the incision runs, from what was removed.
 void add_incision(const sim::Recording& recording, std::vector<Metric>& out);

@@ -35,7 +35,7 @@ bool has(const TaskScope& scope, std::string_view id) {
     if (takes_out(id)) return scope.resection;
     if (held(id)) return scope.jaws;
     if (heats(id)) return scope.energy && scope.placode;
-    if (id.starts_with("skin_burned")) return scope.energy;
+    if (begins(id, {"skin_burned", "skin_heat"})) return scope.energy;
     switch (group_of_metric(id)) {
         case MetricGroup::kIncision:
             return id.starts_with("released") ? scope.ring || scope.resection : scope.ring;

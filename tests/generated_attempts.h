@@ -117,11 +117,12 @@ class AttemptMaker {
             &AttemptMaker::snip_skin,     &AttemptMaker::miss,         &AttemptMaker::cut_astray,
             &AttemptMaker::dawdle,        &AttemptMaker::look_away,    &AttemptMaker::stitch,
             &AttemptMaker::shift_patch,   &AttemptMaker::wash_badly,   &AttemptMaker::dig,
-            &AttemptMaker::burn_skin,     &AttemptMaker::trace_again,  &AttemptMaker::stray};
+            &AttemptMaker::burn_skin,     &AttemptMaker::trace_again,  &AttemptMaker::stray,
+            &AttemptMaker::heat_skin};
         (this->*kinds[which])(recording);
         sort(recording);
     }
-    static constexpr size_t kHarms = 21;
+    static constexpr size_t kHarms = 22;
 
     /// Some of what is asked, some harm.
     sim::Recording some(const curriculum::Task& task) {
@@ -147,6 +148,16 @@ class AttemptMaker {
         return recording.events.back();
     }
 
+    /// So many samples of 0.1 s with 6 W in the skin there.
+    static void heat(sim::Recording& r, int samples, double x, double y) {
+        for (int i = 0; i < samples; ++i) {
+            sim::ToolSample& tool = r.samples[static_cast<size_t>(i)].tools[0];
+            tool.power_w = 6;
+            tool.touched = sim::Tissue::kSkin;
+            tool.tip_m[0] = static_cast<float>(x);
+            tool.tip_m[1] = static_cast<float>(y);
+        }
+    }
     /// In the order of time, as a recording has its events.
     static void sort(sim::Recording& recording) {
         std::stable_sort(recording.events.begin(), recording.events.end(),
@@ -459,6 +470,11 @@ class AttemptMaker {
         for (int i = 0; i < passes; ++i)
             put(r, EventKind::kTraced, number(1, 29), (from + i) % sim::kTraceBins,
                 number(0.003, 0.009));
+    }
+    /// Current held on healthy skin, which stays.
+    void heat_skin(sim::Recording& r) {
+        const double a = number(0, 2 * std::numbers::pi), from = number(0.0096, 0.02);
+        heat(r, whole(1, 40), from * std::cos(a), from * std::sin(a));
     }
     /// Healthy skin, from beside the lesion to the edge of the field.
     void burn_skin(sim::Recording& r) {

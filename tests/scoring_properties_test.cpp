@@ -384,6 +384,9 @@ TEST_P(ScoringProperties, MoreOfOneHarmCostsMore) {
     rises("torn_volume_mm3", {1, 4, 9, 16, 19}, [](sim::Recording& r, double mm3) {
         AttemptMaker::put(r, EventKind::kTorn, 12, 1e-9 * mm3, 2, 0.004, 0.003);
     });
+    rises("skin_heat_j", {4.8, 9, 15}, [](sim::Recording& r, double joules) {
+        AttemptMaker::heat(r, static_cast<int>(std::lround(joules / 0.6)), 0.014, 0);
+    });
     rises("trace_error_mm", {1, 4, 7}, [](sim::Recording& r, double stretches) {
         for (int bin = 0; bin < static_cast<int>(stretches); ++bin)
             AttemptMaker::put(r, EventKind::kTraced, 20, 3 * bin, 0.005);
@@ -396,6 +399,19 @@ TEST_P(ScoringProperties, FarTooMuchTornTissueFails) {
     AttemptMaker::put(recording, sim::EventKind::kTorn, 12, 1e-7, 2, 0.004, 0.003);
     const Score score = score_of(task, recording);
     EXPECT_EQ(score.verdict, Verdict::kFailed) << told(score);
+}
+
+/// Current held on healthy skin burns it, whether or not any is removed.
+TEST_P(ScoringProperties, HeatedHealthySkinCosts) {
+    if (!judges(task, "skin_burned_mm3")) return;  // nothing burns here
+    sim::Recording recording = done(task, 1);
+    AttemptMaker::heat(recording, 60, 0.014, 0);
+    const Score score = score_of(task, recording);
+    EXPECT_LE(score.points, 80) << told(score);
+    // The first exercise fails nobody for it.
+    if (task.steps.empty()) {
+        EXPECT_EQ(score.verdict, Verdict::kFailed) << told(score);
+    }
 }
 
 /// "Gentle with tissue, no points lost" is not said over 2 mm3 that tore, nor over a tip in tissue.

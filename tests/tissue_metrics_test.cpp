@@ -408,6 +408,27 @@ TEST(TissueMetrics, JawsThatStayShutOnCrushedTissueCrushOn) {
     EXPECT_NEAR(count(), 2 + 3.1 / 2.0, 0.02);
 }
 
+TEST(TissueMetrics, EnergyThatReachesHealthySkinCountsWhereverItIs) {
+    sim::Recording recording = ring(0, 359, 0);
+    const double edge_m = recording.header.geometry.skin_edge[0].norm();
+    const auto joules = [&](double radius_m, sim::Tissue tissue) {
+        sim::Recording more = recording;
+        for (int i = 0; i < 200; ++i) {
+            sim::Sample& sample = more.samples.emplace_back();
+            sample.time_s = 0.02 + 0.01 * i;
+            sim::ToolSample& tool = sample.tools[0];
+            tool.power_w = 6;
+            tool.touched = tissue;
+            tool.tip_m = {0, static_cast<float>(radius_m), 0};
+        }
+        return *compute_metrics(more).find("skin_heat_j");
+    };
+    EXPECT_EQ(joules(edge_m + 0.0009, sim::Tissue::kSkin), 0) << "a kerf may reach so far";
+    EXPECT_NEAR(joules(edge_m + 0.0011, sim::Tissue::kThinSkin), 12, 1e-6);
+    EXPECT_NEAR(joules(0.05, sim::Tissue::kSkin), 12, 1e-6);
+    EXPECT_EQ(joules(0.05, sim::Tissue::kZone), 0);
+}
+
 TEST(TissueMetrics, LedgerAndSamplesBecomeMetrics) {
     sim::Recording recording = ring(0, 359, 0);
     const auto add = [&](sim::EventKind kind, float value, float value2,

@@ -94,6 +94,9 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Undeformed volume of skin that heat removed more than 1 mm outside the "
                       "lesion's edge, however far from the plan."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Energy that reached skin more than 1 mm outside the lesion's edge, whether "
+                      "it removed any or not."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
         "Sectors of 5 degrees in which no tissue leads from the placode to the skin."),

@@ -55,6 +55,7 @@ namespace {
     QT_TRANSLATE_NOOP("Metric", "Torn tissue"),
     QT_TRANSLATE_NOOP("Metric", "Torn skin"),
     QT_TRANSLATE_NOOP("Metric", "Burned skin"),
+    QT_TRANSLATE_NOOP("Metric", "Energy into healthy skin"),
     QT_TRANSLATE_NOOP("Metric", "Path length"),
     QT_TRANSLATE_NOOP("Metric", "Depth path"),
     QT_TRANSLATE_NOOP("Metric", "Angular path"),

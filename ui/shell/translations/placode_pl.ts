@@ -2902,6 +2902,10 @@
         <translation>Wypalona skóra</translation>
     </message>
     <message>
+        <source>Energy into healthy skin</source>
+        <translation>Energia w zdrowej skórze</translation>
+    </message>
+    <message>
         <source>Path length</source>
         <translation>Długość drogi</translation>
     </message>
@@ -3414,6 +3418,10 @@
     <message>
         <source>Undeformed volume of skin that heat removed more than 1 mm outside the lesion&apos;s edge, however far from the plan.</source>
         <translation>Objętość spoczynkowa skóry usuniętej przez ciepło ponad 1 mm poza brzegiem zmiany, niezależnie od odległości od planu.</translation>
+    </message>
+    <message>
+        <source>Energy that reached skin more than 1 mm outside the lesion&apos;s edge, whether it removed any or not.</source>
+        <translation>Energia, która dotarła do skóry ponad 1 mm poza brzegiem zmiany, niezależnie od tego, czy coś usunęła.</translation>
     </message>
     <message>
         <source>Sectors of 5 degrees in which no tissue leads from the placode to the skin.</source>
