@@ -12,6 +12,13 @@
 namespace placode::sim {
 namespace THIS_TEST {
 
+/// The rows of the beams that a test looks at; what gives no other is not computed.
+bool is_looked_at(const std::string& study, const std::string& method, double h_s) {
+    if (study.rfind("cantilever", 0) != 0) return false;
+    return method.find(" 48-bit") != std::string::npos ||
+           (method == "xpbd" && h_s <= 2.6e-4 && h_s >= 1e-4);
+}
+
 /// Measured once, whichever test asks first.
 const std::vector<AccuracyRow>& quick_rows(const char* group) {
     static std::map<std::string, std::vector<AccuracyRow>> measured;
@@ -21,6 +28,7 @@ const std::vector<AccuracyRow>& quick_rows(const char* group) {
         options.quick = true;
         options.field = false;
         options.only = group;
+        options.wanted = is_looked_at;
         found->second = measure_accuracy(options);
     }
     return found->second;
@@ -31,8 +39,8 @@ TEST(Accuracy, XpbdBeamsMeetTheirTargetsFromFourSubstepsOn) {
     double worst_static = 0, best_static = 1;
     std::map<std::string, double> last;  // error at the next longer step
     for (const AccuracyRow& row : quick_rows("beams")) {
-        if (row.method.find(" 48-bit") != std::string::npos && row.h_s > 0 &&
-            row.study.rfind("cantilever", 0) == 0) {
+        if (!is_looked_at(row.study, row.method, row.h_s)) continue;
+        if (row.method.find(" 48-bit") != std::string::npos) {
             // Nothing is lost to rounding: the shorter the step, the better. At rest vbd is exact.
             double& before = last.emplace(row.study + row.method, 1).first->second;
             EXPECT_LT(row.error, before / 2 + 1e-5) << row.study << row.method << ", h " << row.h_s;
@@ -40,8 +48,7 @@ TEST(Accuracy, XpbdBeamsMeetTheirTargetsFromFourSubstepsOn) {
             ++falling;
         }
         // Smaller steps lose against the rounding of positions in single precision.
-        if (row.method != "xpbd" || row.h_s > 2.6e-4 || row.h_s < 1e-4) continue;
-        if (row.study.rfind("cantilever", 0) != 0) continue;
+        if (row.method != "xpbd") continue;
         EXPECT_LT(row.error, row.target) << row.study << ", h " << row.h_s;
         ++measured;
         if (row.study != "cantilever, static") continue;

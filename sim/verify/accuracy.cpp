@@ -31,6 +31,22 @@ void use_method(VerificationScene& scene, const MethodChoice& choice) {
     scene.solver.single_precision = !choice.double_float;
 }
 
+std::string method_of(const VerificationScene& scene) {
+    std::string name = method_name(scene.solver.method);
+    if (!scene.solver.single_precision) name += " 48-bit";
+    return name;
+}
+
+double substep_of(const VerificationScene& scene) {
+    return scene.solver.method == SolveMethod::kNewton
+               ? 0
+               : scene.solver.frame_s / scene.solver.substeps;
+}
+
+bool AccuracyTable::wants(const std::string& study, const VerificationScene& scene) const {
+    return !options_.wanted || options_.wanted(study, method_of(scene), substep_of(scene));
+}
+
 HeldRegion held_plane(int axis, double at_m, uint8_t axes, const std::string& pointer) {
     HeldRegion region;
     region.box = {Vec3::Constant(-1), Vec3::Constant(1)};
@@ -46,13 +62,12 @@ AccuracyRow row_of(const VerificationScene& scene, const SolveResult& result,
     AccuracyRow row;
     row.study = study;
     row.setting = setting;
-    row.method = method_name(scene.solver.method);
-    if (!scene.solver.single_precision) row.method += " 48-bit";
+    row.method = method_of(scene);
     row.quantity = quantity;
     row.edge_m = edge_m;
     row.tets = static_cast<int>(scene.mesh.tets.size());
+    row.h_s = substep_of(scene);
     if (scene.solver.method != SolveMethod::kNewton) {
-        row.h_s = scene.solver.frame_s / scene.solver.substeps;
         row.courant = result.max_courant;
         row.cost = result.simulated_s > 0 ? result.cpu_s / result.simulated_s : 0;
     }

@@ -31,6 +31,9 @@ struct AccuracyOptions {
     bool quick = false;  ///< Small meshes and few steps only.
     bool field = true;   ///< With the default operative field (some minutes).
     std::string only;    ///< One of accuracy_groups(); empty = all.
+    /// Of the beams, which runs are made: by study, method and substep [s] of their rows. Most take
+    /// seconds; whoever looks at some rows need not wait for the others. None: all.
+    std::function<bool(const std::string& study, const std::string& method, double h_s)> wanted;
     /// Called after every row.
     std::function<void(const AccuracyRow&)> progress;
 };

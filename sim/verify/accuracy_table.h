@@ -12,6 +12,8 @@ class AccuracyTable {
  public:
     explicit AccuracyTable(const AccuracyOptions& options) : options_(options) {}
     [[nodiscard]] bool quick() const { return options_.quick; }
+    /// Whether anybody wants the rows that a run of this scene gives.
+    [[nodiscard]] bool wants(const std::string& study, const VerificationScene& scene) const;
     void add(AccuracyRow row) {
         if (options_.progress) options_.progress(row);
         rows_.push_back(std::move(row));
@@ -35,6 +37,9 @@ struct MethodChoice {
     bool double_float = false;
 };
 void use_method(VerificationScene& scene, const MethodChoice& choice);
+/// As in a row.
+[[nodiscard]] std::string method_of(const VerificationScene& scene);
+[[nodiscard]] double substep_of(const VerificationScene& scene);
 [[nodiscard]] HeldRegion held_plane(int axis, double at_m, uint8_t axes,
                                     const std::string& pointer = "/fixed/0");
 /// A row with method, step, mesh and cost of a run filled in.
