@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
+#include "sim/core/bounds.h"
 #include "sim/world/scene.h"
 #include "sim/world/state.h"
 
@@ -22,36 +22,58 @@ constexpr uint8_t kNoColumn = 255;       // a column that meets no tissue cannot
 class TetLocator {
  public:
     explicit TetLocator(const TetMesh& mesh) : mesh_(mesh) {
+        const Eigen::AlignedBox3d all = bounds_of(mesh.rest);
+        first_x_ = cell(all.min().x());
+        first_y_ = cell(all.min().y());
+        rows_ = cell(all.max().y()) - first_y_ + 1;
+        columns_ = cell(all.max().x()) - first_x_ + 1;
+        cells_.resize(static_cast<size_t>(rows_) * static_cast<size_t>(columns_));
+        boxes_.reserve(mesh.tets.size());
         for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
-            Vec3 low = mesh.rest[mesh.tets[t][0]], high = low;
-            for (const int32_t v : mesh.tets[t]) {
-                low = low.cwiseMin(mesh.rest[v]);
-                high = high.cwiseMax(mesh.rest[v]);
+            Eigen::AlignedBox3d& box = boxes_.emplace_back();
+            for (const int32_t v : mesh.tets[t]) box.extend(mesh.rest[v]);
+            for (int i = cell(box.min().x()); i <= cell(box.max().x()); ++i) {
+                for (int j = cell(box.min().y()); j <= cell(box.max().y()); ++j)
+                    cells_[index(i, j)].push_back(t);
             }
-            for (int i = cell(low.x()); i <= cell(high.x()); ++i) {
-                for (int j = cell(low.y()); j <= cell(high.y()); ++j) cells_[{i, j}].push_back(t);
-            }
+            // Whatever find() takes for a point of the tet lies in here.
+            const Vec3 margin = kBoxMargin * box.sizes();
+            box.min() -= margin;
+            box.max() += margin;
         }
     }
     /// Tet that holds `p` and its barycentric weights; -1 outside.
     [[nodiscard]] int find(const Vec3& p, Eigen::Vector4d& weight) const {
-        const auto it = cells_.find({cell(p.x()), cell(p.y())});
-        if (it == cells_.end()) return -1;
-        for (const int t : it->second) {
+        const int i = cell(p.x()), j = cell(p.y());
+        if (i < first_x_ || i >= first_x_ + columns_ || j < first_y_ || j >= first_y_ + rows_)
+            return -1;
+        for (const int t : cells_[index(i, j)]) {
+            // Most tets of a cell lie above or below, and an inverse is dear.
+            if (!boxes_[t].contains(p)) continue;
             const auto& c = mesh_.tets[t];
             Mat3 edges;
-            for (int i = 0; i < 3; ++i) edges.col(i) = mesh_.rest[c[i + 1]] - mesh_.rest[c[0]];
+            for (int k = 0; k < 3; ++k) edges.col(k) = mesh_.rest[c[k + 1]] - mesh_.rest[c[0]];
             const Vec3 w = edges.inverse() * (p - mesh_.rest[c[0]]);
             weight << 1 - w.sum(), w.x(), w.y(), w.z();
-            if (weight.minCoeff() >= -1e-9) return t;
+            if (weight.minCoeff() >= kOnFace) return t;
         }
         return -1;
     }
 
  private:
+    static constexpr double kOnFace = -1e-9;    // weight of a point that rounding put outside
+    static constexpr double kBoxMargin = 1e-3;  // of a box's sides; far beyond kOnFace
+
     static int cell(double x) { return static_cast<int>(std::floor(x / kCell)); }
+    [[nodiscard]] size_t index(int i, int j) const {
+        return static_cast<size_t>(i - first_x_) * static_cast<size_t>(rows_) +
+               static_cast<size_t>(j - first_y_);
+    }
+
     const TetMesh& mesh_;
-    std::map<std::pair<int, int>, std::vector<int32_t>> cells_;
+    std::vector<Eigen::AlignedBox3d> boxes_;  // (T) a little wider than the tets
+    std::vector<std::vector<int32_t>> cells_;
+    int first_x_ = 0, first_y_ = 0, columns_ = 0, rows_ = 0;
 };
 
 /// Frame of a contour point on the surface at rest: where, across, and outward.
