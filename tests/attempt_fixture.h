@@ -47,6 +47,14 @@ inline curriculum::Task changed_task(
     return curriculum::load_task_text(json, id);
 }
 
+/// A task on some hundred large tets that hardly settle: for what no mesh decides.
+inline curriculum::Task tiny_task(const std::string& id) {
+    return changed_task(id, {{"edge_ring_m", "0.0012"},
+                             {"edge_placode_m", "0.0016"},
+                             {"edge_outer_m", "0.003"},
+                             {"settle_s", "0.02"}});
+}
+
 /// The running suture on a field that a test can afford.
 inline curriculum::Task coarse_suture_run() {
     return changed_task(
@@ -78,13 +86,16 @@ inline sim::Recording scripted_attempt(const curriculum::Task& task, const std::
 }
 
 /// The first seconds of one, with the task's steps; 0 = all of it.
-inline sim::Recording scripted_seconds(const std::string& task, double seconds,
+inline sim::Recording scripted_seconds(const curriculum::Task& task, double seconds,
                                        const std::string& level = "expert", uint64_t seed = 3) {
-    const curriculum::Task loaded = curriculum::load_task(task);
     curriculum::AttemptOptions options = scripted(level);
     options.duration_s = seconds;
-    options.steps = loaded.steps;
-    return recorded(loaded, seed, options);
+    options.steps = task.steps;
+    return recorded(task, seed, options);
+}
+inline sim::Recording scripted_seconds(const std::string& task, double seconds,
+                                       const std::string& level = "expert", uint64_t seed = 3) {
+    return scripted_seconds(curriculum::load_task(task), seconds, level, seed);
 }
 
 }  // namespace placode::test

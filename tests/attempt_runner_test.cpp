@@ -31,12 +31,7 @@ class FullDisk final : public sim::RecordingSink {
 };
 
 /// The coarse task with a field that a test can afford.
-Task quick_task() {
-    return test::changed_task("diathermy_ring_small", {{"edge_ring_m", "0.0012"},
-                                                       {"edge_placode_m", "0.0016"},
-                                                       {"edge_outer_m", "0.003"},
-                                                       {"settle_s", "0.02"}});
-}
+Task quick_task() { return test::tiny_task("diathermy_ring_small"); }
 
 /// A mouse that nobody moves until the window says so.
 AttemptOptions still_mouse(sim::Latest<sim::WindowInput>& window) {
@@ -275,10 +270,7 @@ TEST(AttemptRunner, LeavesBeforeAnyMotion) {
 // As the simulator itself records it: a hand that does nothing, in tissue that has settled.
 TEST(AttemptRunner, AHandThatDoesNothingHasNotAttemptedTheTask) {
     for (const char* id : {"familiarisation", "diathermy_ring_small"}) {
-        const Task task = test::changed_task(id, {{"edge_ring_m", "0.0012"},
-                                                  {"edge_placode_m", "0.0016"},
-                                                  {"edge_outer_m", "0.003"},
-                                                  {"settle_s", "0.02"}});
+        const Task task = test::tiny_task(id);
         sim::Latest<sim::WindowInput> window;
         AttemptOptions options = still_mouse(window);
         options.fast = true;

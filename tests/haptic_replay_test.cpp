@@ -35,12 +35,7 @@ const FakeHd& hd() {
 }
 
 /// The coarse task with a field that a test can afford.
-Task quick_task() {
-    return test::changed_task("diathermy_ring_small", {{"edge_ring_m", "0.0012"},
-                                                       {"edge_placode_m", "0.0016"},
-                                                       {"edge_outer_m", "0.003"},
-                                                       {"settle_s", "0.02"}});
-}
+Task quick_task() { return test::tiny_task("diathermy_ring_small"); }
 
 class HapticReplay : public testing::Test {
  protected:

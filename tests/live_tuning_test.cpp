@@ -17,12 +17,7 @@ namespace THIS_TEST {
 
 using curriculum::Task;
 
-Task coarse(const char* id) {
-    return test::changed_task(id, {{"edge_ring_m", "0.0012"},
-                                   {"edge_placode_m", "0.0016"},
-                                   {"edge_outer_m", "0.003"},
-                                   {"settle_s", "0.02"}});
-}
+Task coarse(const char* id) { return test::tiny_task(id); }
 
 Event tuning(TuneParameter parameter, Tissue tissue, double value) {
     Event event;

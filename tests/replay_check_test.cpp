@@ -54,8 +54,8 @@ TEST(ReplayCheck, AnAttemptThatCameToItsOwnEndIsIdentical) {
 }
 
 TEST(ReplayCheck, WhatWasChangedIsNamed) {
-    const Recording honest = test::scripted_seconds("diathermy_ring_small", 1.5);
-    const Task task = load_task("diathermy_ring_small");
+    const Task task = test::tiny_task("diathermy_ring_small");
+    const Recording honest = test::scripted_seconds(task, 1.5);
     const size_t middle = honest.samples.size() / 2;
     struct Change {
         const char* named;
