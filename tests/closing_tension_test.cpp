@@ -15,6 +15,12 @@
 namespace placode::sim {
 namespace THIS_TEST {
 
+/// The pad, built once: a test changes only its states.
+const std::shared_ptr<const Scene>& pad_scene() {
+    static const std::shared_ptr<const Scene> scene = build_operative_field(test::undermine_pad());
+    return scene;
+}
+
 /// A strip of skin, held at its far end: F = E A u / L.
 TEST(ClosingTension, OfAStripIsThatOfABar) {
     test::BoxOptions options;
@@ -48,7 +54,7 @@ TEST(ClosingTension, OfAStripIsThatOfABar) {
 }
 
 TEST(ClosingTension, FallsWithTheReachOfUndermining) {
-    const auto scene = build_operative_field(test::undermine_pad());
+    const auto& scene = pad_scene();
     double last = 1e9, whole = 0;
     for (const double reach : {0.0, 0.003, 0.006, 0.009}) {
         State state(*scene, 1);
@@ -66,7 +72,7 @@ TEST(ClosingTension, FallsWithTheReachOfUndermining) {
 }
 
 TEST(ClosingTension, TheLastEventsSayItAndLeaveTheStateAlone) {
-    const auto scene = build_operative_field(test::undermine_pad());
+    const auto& scene = pad_scene();
     State state(*scene, 1);
     test::part_within(*scene, state, 0.004);
     const uint64_t before = state_hash(state);

@@ -21,6 +21,12 @@ namespace THIS_TEST {
 
 using test::kHalfM, test::kWidthM, test::pad;
 
+/// The pad, built once: a test changes only its states.
+const std::shared_ptr<const Scene>& pad_scene() {
+    static const std::shared_ptr<const Scene> scene = build_operative_field(pad());
+    return scene;
+}
+
 std::string refusal(const OperativeFieldSpec& spec) {
     try {
         (void)build_operative_field(spec);
@@ -37,7 +43,7 @@ double volume_of(const TetMesh& mesh) {
 }
 
 TEST(FieldSlit, TheSlitIsAnEllipseThroughTheSkin) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     OperativeFieldSpec whole = pad();
     whole.slit.reset();
     const auto closed = build_operative_field(whole);
@@ -56,7 +62,7 @@ TEST(FieldSlit, TheSlitIsAnEllipseThroughTheSkin) {
 
 TEST(FieldSlit, OnlyTheRowNextToTheSidesHangsOnThem) {
     const OperativeFieldSpec spec = pad();
-    const auto scene = build_operative_field(spec);
+    const auto& scene = pad_scene();
     size_t hang = 0;
     for (const auto& spring : scene->body.spec().springs) {
         ASSERT_GE(spring.vertex, 0) << "a column in the opening has no vertex at the surface";
@@ -72,7 +78,7 @@ TEST(FieldSlit, OnlyTheRowNextToTheSidesHangsOnThem) {
 }
 
 TEST(FieldSlit, StationsStandOppositeAndTheirWallsAreSurface) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     const State state(*scene, 1);
     const auto& rest = scene->body.mesh().rest;
     const Slit& slit = scene->slit;
@@ -115,7 +121,7 @@ TEST(FieldSlit, StationsStandOppositeAndTheirWallsAreSurface) {
 }
 
 TEST(FieldSlit, TheGapAtRestIsTheWidthOfTheEllipse) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     const State state(*scene, 1);
     for (const double y : {-0.004, -0.002, 0.0, 0.003, 0.005}) {
         const int station = nearest_station(*scene, Vec2(0.009, y));
@@ -131,7 +137,7 @@ TEST(FieldSlit, TheGapAtRestIsTheWidthOfTheEllipse) {
 }
 
 TEST(FieldSlit, WallsMovedTogetherAreShutAndThoseThatPassedEachOtherToo) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     State state(*scene, 1);
     const int station = nearest_station(*scene, Vec2(0.009, 0));
     const auto shift = [&](double path) {
@@ -149,7 +155,7 @@ TEST(FieldSlit, WallsMovedTogetherAreShutAndThoseThatPassedEachOtherToo) {
 }
 
 TEST(FieldSlit, ATornWallIsOpenHoweverNearItsRagsLie) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     State state(*scene, 1);
     for (size_t v = 0; v < scene->body.mesh().rest.size(); ++v) {
         const int side = scene->slit.side_of(static_cast<int32_t>(v));
@@ -173,7 +179,7 @@ TEST(FieldSlit, ATornWallIsOpenHoweverNearItsRagsLie) {
 }
 
 TEST(FieldSlit, APlaceLiesInTheSlitOrBesideIt) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     for (const double y : {-0.005, 0.0, 0.0041}) {
         const double half = kWidthM / 2 * std::sqrt(1 - y * y / (kHalfM * kHalfM));
         EXPECT_TRUE(in_slit(*scene, Vec2(0.009, y)));
@@ -187,7 +193,7 @@ TEST(FieldSlit, APlaceLiesInTheSlitOrBesideIt) {
 
 /// The left wall is moved across the slit and on, as no thread could: the right one gives way.
 TEST(FieldSlit, AWallDoesNotPassThroughTheOther) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     State state(*scene, 1);
     settle(*scene, state, 0.1);
     const std::array<ToolInput, kMaxTools> nobody{};
@@ -220,7 +226,7 @@ TEST(FieldSlit, AWallDoesNotPassThroughTheOther) {
 }
 
 TEST(FieldSlit, WhatIsLeftWhenHandsLetGoDependsOnTheStateAlone) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     State one(*scene, 1), two(*scene, 2);
     two.substeps = one.substeps + 3;  // chosen for a frame that never came
     const std::vector<Event> from_one = slit_when_let_go(*scene, one),

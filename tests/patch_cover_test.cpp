@@ -27,6 +27,12 @@ OperativeFieldSpec pad() {
     return spec;
 }
 
+/// The pad, built once: a test changes only its states.
+const std::shared_ptr<const Scene>& pad_scene() {
+    static const std::shared_ptr<const Scene> scene = build_operative_field(pad());
+    return scene;
+}
+
 /// Carries the patch as it lies by a way, as no hand could.
 void move_patch(const Scene& scene, State& state, const Vec3& offset) {
     for (int i = 0; i < scene.patch->vertex_count; ++i) {
@@ -50,7 +56,7 @@ TEST(PatchCover, WithoutPatchOrPlacodeThereIsNothingToSay) {
 }
 
 TEST(PatchCover, BesideThePlacodeItCoversNothing) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     State state(*scene, 1);
     PatchCover cover(*scene);
     ASSERT_TRUE(cover.there());
@@ -72,7 +78,7 @@ TEST(PatchCover, BesideThePlacodeItCoversNothing) {
 /// Flat over a round placode of radius r, its middle moved aside by d: straight up and down the
 /// overlap is 7 mm - r, straight to the sides 8 mm - r -+ d.
 TEST(PatchCover, MovedOverThePlacodeItReachesAsFarAsItsSidesDo) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     for (const double d : {0.0, 0.0012}) {
         State state(*scene, 1);
         move_patch(*scene, state, Vec3(0.0100 + d, 0, 0));
@@ -92,7 +98,7 @@ TEST(PatchCover, MovedOverThePlacodeItReachesAsFarAsItsSidesDo) {
 }
 
 TEST(PatchCover, HeldUpItIsJudgedWhereItFalls) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     State state(*scene, 1);
     move_patch(*scene, state, Vec3(0.0100, 0, 0.004));
     const std::vector<Event> events = patch_when_let_go(*scene, state);
@@ -111,7 +117,7 @@ TEST(PatchCover, HeldUpItIsJudgedWhereItFalls) {
 }
 
 TEST(PatchCover, IsTakenAtTheMiddleOfItsNearSide) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     const PatchHandles handles = patch_handles(*scene);
     const auto& rest = scene->body.mesh().rest;
     const Vec3 rim = rest.at(static_cast<size_t>(handles.rim));

@@ -28,6 +28,12 @@ OperativeFieldSpec pad() {
     return spec;
 }
 
+/// The pad, built once: a test changes only its states.
+const std::shared_ptr<const Scene>& pad_scene() {
+    static const std::shared_ptr<const Scene> scene = build_operative_field(pad());
+    return scene;
+}
+
 /// So many frames with nobody's hands, under a pressure that may rise with the frame.
 template <class Pressure>
 void hold(const Scene& scene, State& state, SlitPressure& fluid, int frames,
@@ -86,7 +92,7 @@ Result read(const std::vector<Event>& events) {
 Result tested(const Scene& scene, State& state) { return read(watertight_events(scene, state)); }
 
 TEST(Watertight, ASlitHeldShutLeaksNothingUpToTheHighestPressure) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     State state(*scene, 1);
     draw_together(*scene, state, 0);
     const Result shut = tested(*scene, state);
@@ -98,7 +104,7 @@ TEST(Watertight, ASlitHeldShutLeaksNothingUpToTheHighestPressure) {
 }
 
 TEST(Watertight, AnOpenSlitLeaksLikeAnOrificeAndBurstsAtOnce) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     State state(*scene, 1);
     settle(*scene, state, 0.1);
     const Result open = tested(*scene, state);
@@ -115,7 +121,7 @@ TEST(Watertight, AnOpenSlitLeaksLikeAnOrificeAndBurstsAtOnce) {
 
 /// Shut at the surface alone, the lower half of the walls bears the pressure.
 TEST(Watertight, PressurePushesTheWallsApartByWhatItsAreaAsks) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     const auto moved = [&](double pressure_pa) {
         State state(*scene, 1);
         SlitPressure fluid(*scene, state);
@@ -139,7 +145,7 @@ TEST(Watertight, PressurePushesTheWallsApartByWhatItsAreaAsks) {
 
 TEST(Watertight, GapAndFlowAreFoundTogether) {
     // Walls that give way let more through than the gap at rest says.
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     const auto flow_ml_min = [&](bool stiff) {
         State state(*scene, 1);
         draw_together(*scene, state, 0.1e-3);
@@ -198,8 +204,7 @@ TEST(Watertight, ThePressureRisesSlowlyEnough) {
 }
 
 TEST(Watertight, TheSameOnOtherNumbersOfThreadsAndTheAttemptGoesOnAsIfNobodyHadTested) {
-    OperativeFieldSpec spec = pad();
-    const auto scene = build_operative_field(spec);
+    const auto& scene = pad_scene();
     State one(*scene, 1), two(*scene, 2);
     const std::vector<Event> from_one = slit_when_let_go(*scene, one),
                              from_two = slit_when_let_go(*scene, two);
@@ -213,14 +218,13 @@ TEST(Watertight, TheSameOnOtherNumbersOfThreadsAndTheAttemptGoesOnAsIfNobodyHadT
     }
     EXPECT_EQ(watertight, 2 * (1 + static_cast<int>(scene->slit.stations.size())) + 1);
     EXPECT_EQ(one.frame, 0);
-    spec.slit->watertight.reset();
-    const auto untested = build_operative_field(spec);
+    const auto untested = build_operative_field(test::pad());
     State state(*untested, 1);
     EXPECT_TRUE(watertight_events(*untested, state).empty());
 }
 
 TEST(Watertight, TornWallsAreNeitherTightNorBlownAbout) {
-    const auto scene = build_operative_field(pad());
+    const auto& scene = pad_scene();
     State state(*scene, 1);
     draw_together(*scene, state, 0);
     const auto middle = static_cast<size_t>(nearest_station(*scene, Vec2(0.009, 0)));
