@@ -4,14 +4,23 @@
 #
 # What takes hours: the tests that know a long form, then the fuzz targets, as many at once as there are
 # processors; ends with a table of what was tried and what failed. Called by
-#   ./test.sh --long [SECONDS]      of each fuzz target, 600; 0 = none
+#   ./test.sh --long [SECONDS [NAME...]]      of each fuzz target, 600; 0 = none
+# With names (tests, fuzz targets) only these are tried again, after a change: their lines take the place
+# of those of the last run, with a star.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${1:-600}
-export logs=build/release/long
-rm -rf "$logs"
+names=("${@:2}")
+export logs=build/release/long run=run
+if [ ${#names[@]} -gt 0 ]; then
+  [ -f "$logs/run" ] || { echo "long.sh: there is no run to add to; leave out the names" >&2; exit 2; }
+  run=again
+  rm -f "$logs/again"*
+else
+  rm -rf "$logs"
+fi
 mkdir -p "$logs"
-export PLACODE_LONG_TESTS=1 PLACODE_BARS=$PWD/$logs/bars.csv
+export PLACODE_LONG_TESTS=1 PLACODE_BARS=$PWD/$logs/$run.csv
 touch "$PLACODE_BARS"
 # What is tried, whatever is committed in these hours.
 commit=$(git rev-parse --short HEAD 2>/dev/null || echo 'no commit')
@@ -36,6 +45,8 @@ for test in json.load(sys.stdin)["tests"]:
     print(test["name"], *[v.split("=", 1)[1] for v in values if v.startswith("LD_PRELOAD=")])'
 }
 
+wanted() { [ ${#names[@]} -eq 0 ] || [[ " ${names[*]} " == *" $1 "* ]]; }
+
 # What takes longest begins first.
 tests() {
   local headers file
@@ -47,30 +58,41 @@ tests() {
   done | awk 'NR == FNR {preload[$1] = $2; next} !seen[$1]++ {print "long_test", $1, preload[$1]}' <(preloads) -
 }
 
+# The table for readers.
+report() {
+  echo '# A long run'
+  echo
+  echo "Written by \`./test.sh --long\`: $(cat "$logs/run"). \`fuzzed\` counts executions."
+  [ ! -f "$logs/again" ] || echo "Lines with a star were tried again after a change: $(cat "$logs/again")."
+  echo
+  echo '| what was tried | times | failed | seconds |'
+  echo '|---|---|---|---|'
+  for file in run again; do sed "s/^/$file,/" "$logs/$file.csv" 2>/dev/null || true; done |
+    awk -F, '{if ($1 == "again" && !($2 in again)) {again[$2]; times[$2] = failed[$2] = took[$2] = 0}
+        times[$2] += $3; failed[$2] += $4; took[$2] += $5; if (!($2 in seen)) {seen[$2]; name[++n] = $2}}
+      END {for (i = 1; i <= n; ++i) {m = name[i]
+        printf "| %s%s | %d | %d | %.0f |\n", m, m in again ? " *" : "", times[m], failed[m], took[m]}}'
+}
+
 # The fuzz targets are built first: a build that fails shows at once.
 fuzzed=
 [ "$seconds" -eq 0 ] || fuzzed=$(scripts/fuzz.sh --list)
 status=0
-{
-  tests
-  for loader in $fuzzed; do echo "scripts/fuzz.sh --built $seconds $loader"; done
-} | xargs -P "$(nproc)" -I '{}' bash -c '{}' || status=1
+work=$(
+  tests | while read -r call name preload; do ! wanted "$name" || echo "$call $name $preload"; done
+  for loader in $fuzzed; do ! wanted "$loader" || echo "scripts/fuzz.sh --built $seconds $loader"; done
+)
+for name in "${names[@]}"; do
+  grep -qw "$name" <<<"$work" || { echo "long.sh: $name is no test with a long form and no fuzz target" >&2; exit 2; }
+done
+xargs -P "$(nproc)" -I '{}' bash -c '{}' <<<"$work" || status=1
 
 echo
 printf '%-44s %12s %8s %8s\n' 'what was tried' times failed seconds
 awk -F, '{printf "%-44s %12d %8d %8.0f\n", $1, $2, $3, $4; if ($3 > 0) bad = 1} END {exit bad}' "$PLACODE_BARS" || status=1
 machine="$(date -u +%F), $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, $commit, $SECONDS s in all"
 echo "$machine; logs: $logs"
-# The same for readers; commit it when the run was whole.
-{
-  echo '# A long run'
-  echo
-  echo "Written by \`./test.sh --long\`: $machine. \`fuzzed\` counts executions."
-  echo
-  echo '| what was tried | times | failed | seconds |'
-  echo '|---|---|---|---|'
-  awk -F, '{times[$1] += $2; failed[$1] += $3; took[$1] += $4; if (!($1 in seen)) {seen[$1]; name[++n] = $1}}
-    END {for (i = 1; i <= n; ++i) printf "| %s | %d | %d | %.0f |\n", name[i], times[name[i]], failed[name[i]], took[name[i]]}' "$PLACODE_BARS"
-} >"$logs/long-run.md"
+echo "$machine" >"$logs/$run"
+report >"$logs/long-run.md"  # Commit it when the run was whole.
 echo "for docs/measurements: $logs/long-run.md"
 exit "$status"
