@@ -343,7 +343,7 @@ void update_grasps(const Scene& scene, State& state, double dt) noexcept {
 }
 
 void hold_copy(const Scene& scene, State& state, int vertex, int copy) noexcept {
-    const int t = state.held_by[vertex];
+    const int8_t t = state.held_by[vertex];
     state.held_by[copy] = -1;
     if (t < 0) return;
     Grasp& g = state.grasps[t];
@@ -352,7 +352,7 @@ void hold_copy(const Scene& scene, State& state, int vertex, int copy) noexcept 
         if (g.count == kMaxGrasped) break;
         g.held[g.count] = {copy, g.held[i].at_T};
         ++g.count;
-        state.held_by[copy] = static_cast<int8_t>(t);
+        state.held_by[copy] = t;
         state.body.x[copy].w = 0;
         return;
     }
@@ -360,7 +360,7 @@ void hold_copy(const Scene& scene, State& state, int vertex, int copy) noexcept 
 }
 
 void let_go_vertex(const Scene& scene, State& state, int vertex) noexcept {
-    const int t = state.held_by[vertex];
+    const int8_t t = state.held_by[vertex];
     if (t < 0) return;
     Grasp& g = state.grasps[t];
     for (int i = 0; i < g.count; ++i) {

@@ -160,9 +160,9 @@ void ledger_phase(const Scene& scene, State& state, double dt) noexcept {
     if (state.phase == Phase::kRelease && free && marked) enter_phase(state, Phase::kResect);
     const bool resected =
         state.pieces.marked_gone_m3 >= kResected * scene.marked_volume_m3 && state.pieces.out > 0;
-    if (state.phase == Phase::kResect && resected && state.ledger.idle_s >= kCheckAfterS) {
-        enter_phase(state, Phase::kCheck);
-    } else if (state.phase == Phase::kRelease && !marked && state.ledger.idle_s >= kCheckAfterS) {
+    const bool dissected =
+        (state.phase == Phase::kResect && resected) || (state.phase == Phase::kRelease && !marked);
+    if (dissected && state.ledger.idle_s >= kCheckAfterS) {
         enter_phase(state, Phase::kCheck);
     } else if (state.phase == Phase::kCheck && current) {
         enter_phase(state, Phase::kRelease);

@@ -17,6 +17,7 @@ constexpr double kSampleAbove = 0.0004;  // the surface is curved: begin above t
 constexpr double kSampleBelow = 0.0008;  // and go on below the target depth [m]
 constexpr double kCell = 0.0005;         // of the lookup grid [m]
 constexpr uint8_t kNoColumn = 255;       // a column that meets no tissue cannot be cut
+constexpr int kMiddleColumn = kColumnsPerPoint / 2;
 
 /// Tets by the cells of the xy plane that their boxes touch.
 class TetLocator {
@@ -103,6 +104,7 @@ std::vector<int32_t> column_tets(const Scene& scene, const TetLocator& locator,
     const double target = scene.geometry.target_depth_m;
     const Vec3 top = frame.at + offset * frame.across + kSampleAbove * frame.normal;
     double entered = -1;
+    // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): replays repeat these sums.
     for (double s = 0; s <= kSampleAbove + target + kSampleBelow; s += kSampleStep) {
         Eigen::Vector4d w;
         const Vec3 p = top - s * frame.normal;
@@ -136,7 +138,7 @@ CutTables make_cut_tables(const Scene& scene, CutProgress& progress) {
         for (int p = 0; p < points; ++p) {
             const ContourFrame frame = contour_frame(scene, p);
             for (int c = 0; c < kColumnsPerPoint; ++c) {
-                const double offset = (c - kColumnsPerPoint / 2) * kColumnSpacing;
+                const double offset = (c - kMiddleColumn) * kColumnSpacing;
                 const auto found = column_tets(scene, locator, frame, offset);
                 if (found.empty()) continue;
                 const int column = p * kColumnsPerPoint + c;
