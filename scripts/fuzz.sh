@@ -12,8 +12,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 export fuzz=build/fuzz/tests/fuzz
 # Short traces of who allocated, and less kept of what was freed: a quarter more executions. Who looks at
-# a finding runs it again without this line.
-export ASAN_OPTIONS=malloc_context_size=2:quarantine_size_mb=16
+# a finding sets other options.
+export ASAN_OPTIONS=${ASAN_OPTIONS:-malloc_context_size=2:quarantine_size_mb=16}
 
 # fuzz_one LOADER: a line of the table. A station key of its own, because several run at once.
 fuzz_one() {

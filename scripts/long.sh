@@ -11,17 +11,13 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${1:-600}
 names=("${@:2}")
-export logs=build/release/long run=run
+export logs=build/release/long
+run=run
 if [ ${#names[@]} -gt 0 ]; then
   [ -f "$logs/run" ] || { echo "long.sh: there is no run to add to; leave out the names" >&2; exit 2; }
   run=again
-  rm -f "$logs/again"*
-else
-  rm -rf "$logs"
 fi
-mkdir -p "$logs"
 export PLACODE_LONG_TESTS=1 PLACODE_BARS=$PWD/$logs/$run.csv
-touch "$PLACODE_BARS"
 # What is tried, whatever is committed in these hours.
 commit=$(git rev-parse --short HEAD 2>/dev/null || echo 'no commit')
 
@@ -83,8 +79,13 @@ work=$(
   for loader in $fuzzed; do ! wanted "$loader" || echo "scripts/fuzz.sh --built $seconds $loader"; done
 )
 for name in "${names[@]}"; do
-  grep -qw "$name" <<<"$work" || { echo "long.sh: $name is no test with a long form and no fuzz target" >&2; exit 2; }
+  grep -qE "^long_test $name( |\$)|--built $seconds $name\$" <<<"$work" ||
+    { echo "long.sh: $name is no test with a long form and no fuzz target" >&2; exit 2; }
 done
+# Only now, when there is something to put in its place.
+if [ "$run" = again ]; then rm -f "$logs/again"*; else rm -rf "$logs"; fi
+mkdir -p "$logs"
+touch "$PLACODE_BARS"
 xargs -P "$(nproc)" -I '{}' bash -c '{}' <<<"$work" || status=1
 
 echo

@@ -59,7 +59,8 @@ class ShellStudyTest : public QObject {
     void perform(double time_s = 0.5);
     /// Opens the shell anew and lets the coordinator go on with the only participant.
     void resume();
-    /// The same, with a simulator that ends by itself before any instrument touches the tissue.
+    /// An attempt in a shell opened anew, whose simulator ends before any instrument is at the
+    /// tissue.
     void performNothing();
     /// Clicks as soon as the button is there: a step that was recorded leads on a moment later.
     [[nodiscard]] bool press(const QString& name) {
