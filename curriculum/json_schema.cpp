@@ -47,6 +47,15 @@ std::string escape_pointer(const std::string& key) {
 
 constexpr size_t kLongestName = 300;  // of what has a pattern: ids, names of files, keys
 
+/// A handful of patterns stand in our schemas, and one takes longer to compile than a definition to
+/// be read. Each thread keeps its own.
+const std::regex& compiled(const std::string& pattern) {
+    thread_local std::map<std::string, std::regex> all;
+    const auto found = all.find(pattern);
+    return found != all.end() ? found->second
+                              : all.emplace(pattern, std::regex(pattern)).first->second;
+}
+
 /// What a pattern of the schemas asks for, after "a text".
 std::string pattern_words(const std::string& pattern) {
     if (pattern == "^[A-Za-z0-9_.-]+$") return " of letters, digits, _, . and - only";
@@ -157,7 +166,7 @@ class Explainer {
         // Also because std::regex goes one call deeper with every letter.
         if (text.size() > kLongestName)
             fail(pointer, "has " + std::to_string(text.size()) + " letters", schema);
-        if (!std::regex_search(text, std::regex(schema["pattern"].get<std::string>())))
+        if (!std::regex_search(text, compiled(schema["pattern"].get_ref<const std::string&>())))
             fail(pointer, "found " + found_text(value), schema);
     }
 
@@ -251,11 +260,15 @@ struct KnownSchema {
     std::string text;
     Json json;
     std::unique_ptr<valijson::Schema> schema;
+    std::unique_ptr<valijson::Validator> validator;  ///< Keeps the patterns that it has compiled.
 };
 
 /// valijson's adapter is written for the library's sorted JSON type.
 KnownSchema parse_schema(std::string text, const std::string& file) {
-    KnownSchema known{std::move(text), {}, std::make_unique<valijson::Schema>()};
+    KnownSchema known{std::move(text),
+                      {},
+                      std::make_unique<valijson::Schema>(),
+                      std::make_unique<valijson::Validator>()};
     known.json = parse_json(known.text, file);
     const nlohmann::json sorted = nlohmann::json::parse(known.json.dump());
     valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
@@ -276,12 +289,11 @@ const KnownSchema& known_schema(const std::string& name) {
 }
 
 /// The last word.
-void validate(const nlohmann::json& value, const valijson::Schema& schema,
-              const std::string& origin, const std::string& prefix) {
-    valijson::Validator validator;
+void validate(const nlohmann::json& value, const KnownSchema& known, const std::string& origin,
+              const std::string& prefix) {
     valijson::ValidationResults results;
     const valijson::adapters::NlohmannJsonAdapter target(value);
-    if (validator.validate(schema, target, &results)) return;
+    if (known.validator->validate(*known.schema, target, &results)) return;
     // The deepest error is the most telling one.
     valijson::ValidationResults::Error error, deepest;
     while (results.popError(error)) {
@@ -297,7 +309,7 @@ void check_schema(const Json& value, const std::string& schema_name, const std::
     const KnownSchema& known = known_schema(schema_name);
     Explainer(known.json, origin, completeness).check(value, known.json, prefix);
     if (completeness == Completeness::kWhole)
-        validate(nlohmann::json::parse(value.dump()), *known.schema, origin, prefix);
+        validate(nlohmann::json::parse(value.dump()), known, origin, prefix);
 }
 
 }  // namespace placode::curriculum
