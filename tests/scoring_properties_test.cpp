@@ -378,6 +378,7 @@ TEST_P(ScoringProperties, MoreOfOneHarmCostsMore) {
     };
     rises("over_force_count", {0.05, 1, 2, 3}, lasting(EventKind::kOverForce, 0.05));
     rises("over_traction_count", {0.3, 1, 2, 3}, lasting(EventKind::kOverTraction, 0.02));
+    rises("placode_contact_s", {0.5, 2, 5, 9}, lasting(EventKind::kPlacodeContact, 0.005));
     rises("crush_count", {0.1, 0.8, 1.6}, [](sim::Recording& r, double seconds) {
         AttemptMaker::put(r, EventKind::kCrushed, 29.9 - seconds, 2e5, 1, 0.004, 0.003);
     });
@@ -391,6 +392,11 @@ TEST_P(ScoringProperties, MoreOfOneHarmCostsMore) {
         for (int bin = 0; bin < static_cast<int>(stretches); ++bin)
             AttemptMaker::put(r, EventKind::kTraced, 20, 3 * bin, 0.005);
     });
+}
+
+/// To stay on the placode costs by the second, wherever a touch of it costs.
+TEST_P(ScoringProperties, WhereATouchOfThePlacodeCountsItsTimeDoes) {
+    EXPECT_EQ(judges(task, "placode_contacts"), judges(task, "placode_contact_s"));
 }
 
 /// Far beyond what a hand tears by mischance nothing else makes up for it.
