@@ -173,6 +173,7 @@ namespace {
     QT_TRANSLATE_NOOP("Attempt", "Shift + wheel"),
     QT_TRANSLATE_NOOP("Attempt", "The same, four times as far"),
     QT_TRANSLATE_NOOP("Attempt", "arrows"),
+    QT_TRANSLATE_NOOP("Attempt", "Space"),
     QT_TRANSLATE_NOOP("Attempt", "left bumper"),
     QT_TRANSLATE_NOOP("Attempt", "Turn about the shaft"),
     QT_TRANSLATE_NOOP("Attempt", "Cut (yellow pedal)"),

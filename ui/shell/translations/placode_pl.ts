@@ -13786,6 +13786,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>strzałki</translation>
     </message>
     <message>
+        <source>Space</source>
+        <translation>Spacja</translation>
+    </message>
+    <message>
         <source>left bumper</source>
         <translation>lewy przycisk górny</translation>
     </message>
