@@ -26,7 +26,7 @@ enum class VoidCause : uint8_t {
     kUnsound,        ///< What scoring needs is missing or out of range; `detail` says what.
     kSameRecording,  ///< Another attempt holds this recording; `detail` has its number.
     kReplayDiffers,  ///< Simulated again it gave something else; `detail` says where.
-    kScript,         ///< An exam of a person that a script performed; `detail` names it.
+    kScript,         ///< A script performed what counts for a person; `detail` names it.
     kUnsigned,       ///< No computer of the centre signed the recording; `detail` says which.
     kNoRecording,    ///< An exam or an attempt of a study of which nothing was recorded.
     kOrderDiffers,   ///< Begun for another person, exam, proctor or step than is said now.
