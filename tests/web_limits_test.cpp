@@ -79,6 +79,7 @@ TEST_P(WebLimitsTest, PagesThatDoNotExistAreNotFound) {
         EXPECT_EQ(one.get(path).status, 404) << path;
     EXPECT_EQ(signed_in("coordinator").get("/studies/no").status, 404);
     EXPECT_EQ(one.get("/attempts?page=99999").status, 200) << "the last page of the list";
+    EXPECT_EQ(one.get("/attempts?page=400000000000000001").status, 200) << "times rows of a page";
     EXPECT_EQ(one.get("/attempts?page=-1&group=x&task=%27").status, 200);
 }
 
@@ -91,6 +92,40 @@ TEST_P(WebLimitsTest, ALongBodyIsNotRead) {
     EXPECT_EQ(answer_to("POST /sign-in HTTP/1.1\r\nHost: x\r\nContent-Encoding: gzip\r\n"
                         "Content-Length: 3\r\n\r\nabc"),
               "HTTP/1.1 400");
+    expect_alive();
+}
+
+/// httplib compares the limit with a length that is stated, and reads any other body to its end.
+TEST_P(WebLimitsTest, ABodyWithoutALengthIsNotRead) {
+    const std::string begin = "POST /sign-in HTTP/1.1\r\nHost: x\r\n";
+    EXPECT_EQ(answer_to(begin + "Transfer-Encoding: chunked\r\n\r\n3\r\na=b\r\n0\r\n\r\n"),
+              "HTTP/1.1 400");
+    EXPECT_EQ(answer_to(begin + "Transfer-Encoding: chunked\r\nContent-Length: 3\r\n\r\n3\r\n"),
+              "HTTP/1.1 400");
+    EXPECT_EQ(answer_to(begin + "\r\na=b"), "HTTP/1.1 400");
+    expect_alive();
+}
+
+/// Nor does it compare what a request asks for with the size of what there is.
+TEST_P(WebLimitsTest, APartOfAnAnswerIsNotMoreThanTheAnswer) {
+    const auto body = [&](const std::string& path, const std::string& header) {
+        const Wire wire(portal->port());
+        wire.send("GET " + path + " HTTP/1.1\r\nHost: x\r\n" + header + "\r\n");
+        const std::string all = wire.receive();
+        const size_t end = all.find("\r\n\r\n");
+        return end == std::string::npos ? std::string() : all.substr(end + 4);
+    };
+    constexpr size_t kRefusal = 1500;  // more than the page that says "no" to nonsense has
+    for (const char* path : {"/style.css", "/sign-in", "/no", "/review/page.js"}) {
+        const std::string whole = body(path, "");
+        for (const char* range :
+             {"0-999999", "1000000-1000100", "-999999", "5-", "0-1,2-999999", "99999999999-",
+              "0-99999999999999999999", "18446744073709551610-18446744073709551615", "x"}) {
+            const std::string part = body(path, std::string("Range: bytes=") + range + "\r\n");
+            EXPECT_LE(part.size(), std::max(whole.size(), kRefusal)) << path << " " << range;
+        }
+        EXPECT_EQ(body(path, "Range: bytes=0-999999\r\n").size(), whole.size()) << path;
+    }
     expect_alive();
 }
 

@@ -7,11 +7,14 @@
 namespace placode::web {
 namespace {
 
+/// A larger number of a page is an address somebody made up; its rows would not fit 64 bits.
+constexpr int64_t kLastPage = 1'000'000;
+
 /// The page of the list that is asked for, and what leads to the others.
 Html list(const Visit& visit, db::AttemptFilter filter, const std::string& path,
           std::vector<QueryPart> asked, bool with_person) {
     filter.limit = kRowsOfPage;
-    filter.offset = std::max<int64_t>(0, visit.number("page") - 1) * kRowsOfPage;
+    filter.offset = (std::clamp<int64_t>(visit.number("page"), 1, kLastPage) - 1) * kRowsOfPage;
     db::AttemptPage page = visit.store.attempts().page(filter);
     const Part part = part_of(visit, page.total);
     if (part.first != filter.offset) {  // Beyond the end: the last one.

@@ -8,6 +8,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstring>
 #include <mutex>
@@ -69,8 +70,21 @@ void give(const Answer& answer, httplib::Response& to) {
     to.set_content_provider(
         answer.body.size(), answer.type.c_str(),
         [body = answer.body](size_t offset, size_t length, httplib::DataSink& sink) {
-            return sink.write(body.data() + offset, length);
+            // httplib takes both from the request's "Range" and compares neither with the size.
+            if (offset >= body.size()) return false;
+            return sink.write(body.data() + offset, std::min(length, body.size() - offset));
         });
+}
+
+/// No answer of ours is given in parts: httplib would say a length that is not there.
+void give_whole(const httplib::Request& request) {
+    const_cast<httplib::Request&>(request).ranges.clear();
+}
+
+/// A form whose length stands before it: of one that comes in chunks, or until its end, httplib
+/// reads all before it compares the length with the limit.
+bool has_stated_length(const httplib::Request& request) {
+    return request.has_header("Content-Length") && !request.has_header("Transfer-Encoding");
 }
 
 sockaddr_un socket_address(const std::string& path) {
@@ -112,7 +126,7 @@ struct WebServer::Inside {
             return true;
         }
         if (request.target.find('?') == std::string::npos &&
-            request.get_header_value("Content-Encoding").empty())
+            request.get_header_value("Content-Encoding").empty() && has_stated_length(request))
             return false;
         give(portal.refuse(request_of(request), 400), response);
         return true;
@@ -135,6 +149,7 @@ WebServer::WebServer(PortalOptions options, const ServerLimits& limits)
     server.set_default_headers(headers);
     server.set_pre_routing_handler(
         [this](const httplib::Request& request, httplib::Response& response) {
+            give_whole(request);
             return inside_->answer_at_once(request, response)
                        ? httplib::Server::HandlerResponse::Handled
                        : httplib::Server::HandlerResponse::Unhandled;
@@ -146,6 +161,7 @@ WebServer::WebServer(PortalOptions options, const ServerLimits& limits)
         server.Post(path, send);
     // What httplib itself turned away.
     server.set_error_handler([this](const httplib::Request& request, httplib::Response& response) {
+        give_whole(request);
         if (!response.has_header("Content-Type"))
             give(inside_->portal.refuse(request_of(request), response.status), response);
     });
