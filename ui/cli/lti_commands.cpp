@@ -102,7 +102,7 @@ int run_unlink(const Context& context, const LinkOptions& options) {
                                   "user " + std::to_string(gone->account), options.issuer);
     print(context, {{"issuer", options.issuer}, {"sub", options.subject}},
           options.subject + " of " + options.issuer +
-              " is nobody from now on; a session that is open goes on, at most 12 hours");
+              " is nobody from now on; a session that is open ends at its next page");
     return 0;
 }
 
