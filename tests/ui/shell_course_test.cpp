@@ -28,6 +28,7 @@ class ShellCourseTest : public QObject {
     void courseIsPublishedAndExported();
     void importedFileBecomesTheNextVersion();
     void courseIsAssignedToTheGroupAndEnded();
+    void aNameThatFitsSeveralActsOnNobody();
     void damagedFileIsRefusedWithItsPlace();
     void traineeSeesNoEditor();
 
@@ -49,10 +50,15 @@ void ShellCourseTest::educatorMakesAGroup() {
     QVERIFY(shell.click("add_group"));
     auto* table = shell.find<QTableWidget>("group_table");
     QCOMPARE(table->rowCount(), 1);  // Who makes a group teaches it.
+    // Pressed before anybody was chosen, it does not take the first of the list.
+    QVERIFY(shell.click("group_add"));
+    QVERIFY(shell.bannerSays("Nobody is chosen"));
+    QVERIFY(shell.owner().groups().list().front().members.empty());
     auto* person = shell.find<QComboBox>("group_person");
     person->setCurrentIndex(
         person->findData(QVariant::fromValue<qint64>(shell.idOf("demo.trainee"))));
     QVERIFY(shell.click("group_add"));
+    QVERIFY(shell.bannerSays("is in the group now"));
     QCOMPARE(shell.find<QTableWidget>("group_table")->rowCount(), 2);
     const auto groups = shell.owner().groups().list();
     QCOMPARE(groups.size(), size_t{1});
@@ -191,6 +197,51 @@ void ShellCourseTest::courseIsAssignedToTheGroupAndEnded() {
     QVERIFY(shell.click("end_assignment_0"));
     QVERIFY(shell.bannerSays("The assignment has ended"));
     QVERIFY(shell.owner().courses().assignments(shell.idOf("demo.trainee")).empty());
+}
+
+// The first of the two was meant, whoever that was.
+void ShellCourseTest::aNameThatFitsSeveralActsOnNobody() {
+    ShellHarness& shell = *shell_;
+    for (const auto& [login, name] :
+         {std::pair("jan", "Jan Kowalczyk"), std::pair("ola", "Ola Kowalska")}) {
+        db::NewUser user;
+        user.login = login;
+        user.display_name = name;
+        user.password = "first password";
+        (void)shell.owner().accounts().create(user);
+    }
+    const auto grants = [&](const char* login) {
+        return shell.owner().courses().grants(shell.idOf(login)).size();
+    };
+    shell.window().open({PageId::kCourses, 0, "ring_exam", {}});
+    QVERIFY(shell.arrives(PageId::kCourses));
+    auto* person = shell.find<QComboBox>("grant_person");
+    QVERIFY(person != nullptr);
+    QVERIFY(shell.type("grant_reason", "Device repaired"));
+    person->setCurrentText("Kowal");
+    QVERIFY2(shell.text("grant_standing").trimmed().isEmpty(), "nobody's standing");
+    QVERIFY(shell.click("grant"));
+    QVERIFY(shell.bannerSays("Several names match \"Kowal\": "));
+    QVERIFY(shell.window().banner().text().contains("Ola Kowalska (ola)"));
+    QCOMPARE(grants("jan") + grants("ola"), size_t{0});
+    // A part that fits one only is enough; the standing is that person's.
+    person->setCurrentText("kowalska");
+    QVERIFY(shell.text("grant_standing").startsWith("Attempts made: "));
+    QVERIFY(shell.click("grant"));
+    QVERIFY(shell.bannerSays("More attempts for Ola Kowalska (ola): 1."));
+    QCOMPARE(grants("ola"), size_t{1});
+    QCOMPARE(grants("jan"), size_t{0});
+    QVERIFY(shell.click("rail_groups"));
+    QVERIFY(shell.arrives(PageId::kGroups));
+    const auto members = [&] { return shell.owner().groups().list().front().members; };
+    const auto before = members();
+    shell.find<QComboBox>("group_person")->setCurrentText("Kowal");
+    QVERIFY(shell.click("group_add"));
+    QVERIFY(shell.bannerSays("Several names match"));
+    QCOMPARE(members(), before);
+    // Back to the courses, where the next test goes on.
+    QVERIFY(shell.click("rail_courses"));
+    QVERIFY(shell.arrives(PageId::kCourses));
 }
 
 void ShellCourseTest::damagedFileIsRefusedWithItsPlace() {

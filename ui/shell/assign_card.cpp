@@ -96,9 +96,9 @@ class AssignCard : public QFrame {
         context_.guard(tr("Assigning the course"), [this] {
             const int row = chosen_row(target_);
             if (row < 0)
-                throw Refusal(tr("There is nobody called \"%1\" whom you may assign a course; "
-                                 "choose one of the list.")
-                                  .arg(target_->currentText()));
+                throw Refusal(why_no_row(
+                    target_, tr("There is nobody called \"%1\" whom you may assign a course; "
+                                "choose one of the list.")));
             const int64_t target = target_->itemData(row).toLongLong();
             db::Store& store = context_.store();
             db::AssignmentRecord wanted;

@@ -65,8 +65,11 @@ class GrantsCard : public QFrame {
         row->addLayout(make_field(tr("Person"), person_), 1);
         row->addLayout(make_field(tr("Stage with a limit of attempts"), stage_), 1);
         layout->addLayout(row);
-        for (QComboBox* each : {person_, stage_})
-            connect(each, &QComboBox::currentIndexChanged, this, [this] { showStanding(); });
+        // Of whoever would be granted something now: also by typing, which chooses no entry.
+        connect(person_, &QComboBox::editTextChanged, this, [this] {
+            if (person() != shown_) showStanding();
+        });
+        connect(stage_, &QComboBox::currentIndexChanged, this, [this] { showStanding(); });
     }
 
     void addGrant(QVBoxLayout* layout) {
@@ -91,7 +94,7 @@ class GrantsCard : public QFrame {
         layout->addLayout(row);
     }
 
-    /// 0 = nobody is chosen.
+    /// 0 = it is not clear who.
     [[nodiscard]] int64_t person() const {
         const int row = chosen_row(person_);
         return row < 0 ? 0 : person_->itemData(row).toLongLong();
@@ -103,6 +106,7 @@ class GrantsCard : public QFrame {
     void showStanding() {
         standing_->setText(QString(QChar::Nbsp));
         const int64_t user = person();
+        shown_ = user;
         if (user == 0) return;
         context_.guard(tr("Reading where the person stands"), [&] {
             db::Store& store = context_.store();
@@ -130,9 +134,9 @@ class GrantsCard : public QFrame {
         context_.guard(tr("Granting attempts"), [this] {
             const int row = chosen_row(person_);
             if (row < 0)
-                throw Refusal(tr("There is nobody called \"%1\" whom you teach; choose one of the "
-                                 "list.")
-                                  .arg(person_->currentText()));
+                throw Refusal(why_no_row(
+                    person_, tr("There is nobody called \"%1\" whom you teach; choose one of the "
+                                "list.")));
             const QString reason = reason_->text().simplified();
             if (reason.isEmpty()) {
                 reason_->setFocus();
@@ -156,6 +160,7 @@ class GrantsCard : public QFrame {
     AppContext& context_;
     curriculum::Course course_;
     std::function<void(const QString&)> changed_;
+    int64_t shown_ = 0;  ///< Whose standing.
     QComboBox *person_ = nullptr, *stage_ = nullptr;
     QSpinBox* attempts_ = nullptr;
     QLineEdit* reason_ = nullptr;

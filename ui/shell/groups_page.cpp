@@ -13,6 +13,7 @@
 #include "db/access.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/trainee_chooser.h"
 
 namespace placode::ui {
 namespace {
@@ -142,6 +143,8 @@ class GroupsPage : public Page {
         person_->setInsertPolicy(QComboBox::NoInsert);
         person_->completer()->setCompletionMode(QCompleter::PopupCompletion);
         person_->completer()->setFilterMode(Qt::MatchContains);
+        person_->setCurrentIndex(-1);  // Nobody comes into a group by being first in a list.
+        person_->lineEdit()->setPlaceholderText(tr("Type a name, or choose from the list"));
         row->addLayout(make_field(tr("Person"), person_), 1);
         role_ = new QComboBox;
         role_->setObjectName("group_role");
@@ -150,19 +153,22 @@ class GroupsPage : public Page {
         row->addLayout(make_field(tr("As"), role_));
         QPushButton* put = make_button(context_, tr("Put into the group"), "primary", "plus");
         put->setObjectName("group_add");
-        connect(put, &QPushButton::clicked, this, [this] {
-            const int index = person_->findText(person_->currentText(), Qt::MatchContains);
-            if (index < 0) {
-                context_.report({tr("There is nobody called \"%1\".").arg(person_->currentText()),
-                                 tr("Choose one of the list."),
-                                 {}});
-                return;
-            }
-            set(person_->itemData(index).toLongLong(),
-                static_cast<GroupRole>(role_->currentData().toInt()));
-        });
+        connect(put, &QPushButton::clicked, this, [this] { this->put(); });
         row->addWidget(put, 0, Qt::AlignBottom);
         return row;
+    }
+
+    void put() {
+        const int row = chosen_row(person_);
+        if (row < 0) {
+            context_.guard(tr("Changing the group"), [this] {
+                throw Refusal(why_no_row(
+                    person_, tr("There is nobody called \"%1\"; choose one of the list.")));
+            });
+            return;
+        }
+        set(person_->itemData(row).toLongLong(),
+            static_cast<GroupRole>(role_->currentData().toInt()));
     }
 
     /// For the person that is marked in the table.
@@ -224,6 +230,9 @@ class GroupsPage : public Page {
             context_.store().groups().set_role(group->id, person, role);
             read();
             showGroup();
+            if (role != GroupRole::kNone)
+                Q_EMIT notice(
+                    tr("%1 is in the group now.").arg(qstr(people_.at(person).display_name)));
         });
     }
 

@@ -2,14 +2,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/trainee_chooser.h"
 
+#include <QAbstractItemModel>
 #include <QComboBox>
 #include <QCompleter>
+#include <QCoreApplication>
+#include <algorithm>
 #include <map>
 
 #include "db/access.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
+namespace {
+
+constexpr qsizetype kNamedAtMost = 4;  ///< Of those who may be meant.
+
+struct ChooserWords {
+    Q_DECLARE_TR_FUNCTIONS(TraineeChooser)
+};
+
+/// Those whose whole text is typed; where there is none, those that hold what is typed.
+QModelIndexList meant_rows(const QComboBox* list) {
+    const QString typed = list->currentText();
+    if (typed.isEmpty()) return {};
+    const QAbstractItemModel* model = list->model();
+    const QModelIndex first = model->index(0, list->modelColumn(), list->rootModelIndex());
+    QModelIndexList rows;
+    for (const Qt::MatchFlags how :
+         {Qt::MatchFlags(Qt::MatchFixedString | Qt::MatchCaseSensitive),
+          Qt::MatchFlags(Qt::MatchFixedString), Qt::MatchFlags(Qt::MatchContains)})
+        if (rows.isEmpty()) rows = model->match(first, Qt::DisplayRole, typed, -1, how);
+    return rows;
+}
+
+}  // namespace
 
 QComboBox* make_search_list(const char* object) {
     auto* list = new QComboBox;
@@ -37,8 +63,25 @@ void add_trainees(AppContext& context, QComboBox* list) {
 }
 
 int chosen_row(const QComboBox* list) {
-    return list->currentText().isEmpty() ? -1
-                                         : list->findText(list->currentText(), Qt::MatchContains);
+    // Of two with the same text the one that was chosen; typing leaves the choice of before.
+    const int chosen = list->currentIndex();
+    if (chosen >= 0 && list->itemText(chosen) == list->currentText()) return chosen;
+    const QModelIndexList rows = meant_rows(list);
+    return rows.size() == 1 ? rows.front().row() : -1;
+}
+
+QString why_no_row(const QComboBox* list, const QString& unknown) {
+    const QString typed = list->currentText();
+    if (typed.isEmpty())
+        return ChooserWords::tr("Nobody is chosen: type a name, or choose one of the list.");
+    const QModelIndexList rows = meant_rows(list);
+    if (rows.size() < 2) return unknown.arg(typed);
+    QStringList names;
+    for (const QModelIndex& each : rows.first(std::min(rows.size(), kNamedAtMost)))
+        names << each.data().toString();
+    if (rows.size() > kNamedAtMost) names << "…";
+    return ChooserWords::tr("Several names match \"%1\": %2; choose one of the list.")
+        .arg(typed, names.join(", "));
 }
 
 }  // namespace placode::ui

@@ -13,7 +13,11 @@ namespace placode::ui {
 [[nodiscard]] QComboBox* make_search_list(const char* object);
 /// Adds the active trainees whom the user teaches; the store is asked again when it is done.
 void add_trainees(AppContext& context, QComboBox* list);
-/// The row that fits what is typed, which may be a part of a name; -1 = none does.
+/// The row that is meant: the one whose text is typed as a whole, else the only one that holds what
+/// is typed; -1 = none does, or several do.
 [[nodiscard]] int chosen_row(const QComboBox* list);
+/// Why chosen_row() is -1, and what to do.
+/// @param unknown what is said when no row holds what is typed, which stands for its %1.
+[[nodiscard]] QString why_no_row(const QComboBox* list, const QString& unknown);
 
 }  // namespace placode::ui

@@ -9172,12 +9172,16 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Dodaj do grupy</translation>
     </message>
     <message>
-        <source>There is nobody called "%1".</source>
-        <translation>Nie ma nikogo o nazwie „%1”.</translation>
+        <source>Type a name, or choose from the list</source>
+        <translation>Wpisz nazwisko albo wybierz z listy</translation>
     </message>
     <message>
-        <source>Choose one of the list.</source>
-        <translation>Wybierz z listy.</translation>
+        <source>There is nobody called &quot;%1&quot;; choose one of the list.</source>
+        <translation>Nie ma osoby o nazwie „%1”; wybierz kogoś z listy.</translation>
+    </message>
+    <message>
+        <source>%1 is in the group now.</source>
+        <translation>%1 należy teraz do grupy.</translation>
     </message>
     <message>
         <source>Log-in name</source>
@@ -11464,6 +11468,17 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Of the group %1</source>
         <translation>Grupy %1</translation>
+    </message>
+</context>
+<context>
+    <name>TraineeChooser</name>
+    <message>
+        <source>Nobody is chosen: type a name, or choose one of the list.</source>
+        <translation>Nikogo nie wybrano: wpisz nazwisko albo wybierz z listy.</translation>
+    </message>
+    <message>
+        <source>Several names match &quot;%1&quot;: %2; choose one of the list.</source>
+        <translation>„%1” pasuje do kilku nazw: %2; wybierz jedną z listy.</translation>
     </message>
 </context>
 <context>
