@@ -48,6 +48,24 @@ constexpr const char* kKinds = R"({
   "scales": [{"id": "both", "title": {"en": "Both"}, "items": ["L", "W"]}]
 })";
 
+/// Every kind that has a box "does not apply" beside its field.
+constexpr const char* kApplies = R"({
+  "id": "applies", "version": 1, "title": {"en": "What applies"},
+  "items": [
+    {"id": "N", "kind": "number", "text": {"en": "Weight"}, "number_min": 1, "number_max": 9,
+     "not_applicable": true},
+    {"id": "C", "kind": "choice", "text": {"en": "Trained?"},
+     "choices": [{"en": "no"}, {"en": "yes"}], "not_applicable": true},
+    {"id": "M", "kind": "multiple", "text": {"en": "Which?"},
+     "choices": [{"en": "box"}, {"en": "computer"}], "not_applicable": true},
+    {"id": "D", "kind": "date", "text": {"en": "Day"}, "not_applicable": true},
+    {"id": "T", "kind": "text", "text": {"en": "Remark"}, "not_applicable": true},
+    {"id": "V", "kind": "visual_analogue", "text": {"en": "Line"}, "number_min": 0,
+     "number_max": 100, "anchor_low": {"en": "none"}, "anchor_high": {"en": "all"},
+     "not_applicable": true}
+  ]
+})";
+
 }  // namespace
 
 class ShellProtocolsTest : public QObject {
@@ -61,6 +79,7 @@ class ShellProtocolsTest : public QObject {
     void aQuestionnaireIsBuiltFromTheForm();
     void everyKindIsPreviewedAndPublished();
     void aParticipantAnswersEveryKind();
+    void whatDoesNotApplyIsPutAsideAndComesBack();
     void aStudyWithArmsIsBuiltAndPublishedWithAReason();
     void definitionsGoOutAndIn();
 
@@ -82,6 +101,22 @@ class ShellProtocolsTest : public QObject {
                        shell_->window().page()->state().value("kind") == kind;
             },
             10000));
+    }
+    /// What the fields of kApplies show, one after the other, and which of them can be used.
+    [[nodiscard]] QStringList fieldsShow() const {
+        return {shell_->find<QLineEdit>("answer_N")->text(),
+                QString::number(shell_->find<QComboBox>("answer_C")->currentIndex()),
+                shell_->find<QCheckBox>("answer_M_1")->isChecked() ? "ticked" : "not ticked",
+                shell_->find<QLineEdit>("answer_D")->text(),
+                shell_->find<QPlainTextEdit>("answer_T")->toPlainText(),
+                QString::number(shell_->find<QSlider>("answer_V")->value())};
+    }
+    [[nodiscard]] int fieldsInUse() const {
+        int count = 0;
+        for (const char* name :
+             {"answer_N", "answer_C", "answer_M_1", "answer_D", "answer_T", "answer_V"})
+            count += shell_->find<QWidget>(name)->isEnabled() ? 1 : 0;
+        return count;
     }
     [[nodiscard]] QPlainTextEdit* json() { return shell_->find<QPlainTextEdit>("definition_json"); }
     [[nodiscard]] QListWidget* list() { return shell_->find<QListWidget>("elements"); }
@@ -259,6 +294,51 @@ void ShellProtocolsTest::aParticipantAnswersEveryKind() {
     // Reverse-keyed: 10 of 0..10 counts as 0.
     const auto form = curriculum::load_questionnaire_text(kKinds, "kinds");
     QCOMPARE(*curriculum::scale_scores(form, answers[0].answers).front().value, 2.0);
+}
+
+// Unticked, the box took the answer away that the field still showed.
+void ShellProtocolsTest::whatDoesNotApplyIsPutAsideAndComesBack() {
+    ShellHarness& shell = *shell_;
+    shell.window().open({PageId::kParticipant, 0, {}, {{"preview", QString(kApplies)}}});
+    QVERIFY(shell.arrives(PageId::kParticipant));
+    const auto answers = [&shell] { return shell.window().page()->state()["answers"].toMap(); };
+    const QStringList items{"N", "C", "M", "D", "T", "V"};
+    const auto click = [&shell, &items] {
+        for (const QString& item : items) shell.find<QCheckBox>("answer_" + item + "_NA")->click();
+    };
+    QVERIFY(shell.type("answer_N", "5"));
+    shell.find<QComboBox>("answer_C")->setCurrentIndex(2);
+    shell.find<QCheckBox>("answer_M_1")->click();
+    QVERIFY(shell.type("answer_D", "2026-02-28"));
+    shell.find<QPlainTextEdit>("answer_T")->setPlainText("slow");
+    shell.find<QSlider>("answer_V")->setValue(20);
+    const QVariantMap given = answers();
+    const QStringList shown = fieldsShow();
+    const QStringList nothing{"", "0", "not ticked", "", "", "50"};
+    QCOMPARE(shown, (QStringList{"5", "2", "ticked", "2026-02-28", "slow", "20"}));
+    click();
+    for (const QString& item : items) QCOMPARE(answers()[item].toString(), QString("NA"));
+    QCOMPARE(fieldsShow(), nothing);
+    QCOMPARE(fieldsInUse(), 0);
+    click();
+    QCOMPARE(answers(), given);
+    QCOMPARE(fieldsShow(), shown);
+    QCOMPARE(fieldsInUse(), 6);
+    // In the other language the boxes are ticked still, and no entry is chosen.
+    click();
+    shell.context().setLanguage("pl");
+    QVERIFY(shell.arrives(PageId::kParticipant));
+    for (const QString& item : items) {
+        QVERIFY(shell.find<QCheckBox>("answer_" + item + "_NA")->isChecked());
+        QCOMPARE(answers()[item].toString(), QString("NA"));
+    }
+    QCOMPARE(fieldsShow(), nothing);
+    QCOMPARE(fieldsInUse(), 0);
+    click();
+    QVERIFY2(answers().isEmpty(), "nothing is shown and nothing is answered");
+    QCOMPARE(fieldsShow(), nothing);
+    shell.context().setLanguage("en");
+    QVERIFY(shell.arrives(PageId::kParticipant));
 }
 
 void ShellProtocolsTest::aStudyWithArmsIsBuiltAndPublishedWithAReason() {

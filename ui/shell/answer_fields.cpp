@@ -11,9 +11,11 @@
 #include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QRegularExpressionValidator>
+#include <QSignalBlocker>
 #include <QSlider>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "ui/shell/parts.h"
 
@@ -48,7 +50,15 @@ class AnswerFields {
     Q_DECLARE_TR_FUNCTIONS(ParticipantPage)
  public:
     AnswerFields(QVBoxLayout* layout, AppContext& context, AnswerField field)
-        : layout_(layout), context_(context), field_(std::move(field)), item_(field_.item) {}
+        : layout_(layout), context_(context), field_(std::move(field)), item_(field_.item) {
+        // "NA" is the box's answer; the fields themselves have none then.
+        applies_ = !item_.not_applicable || field_.given != curriculum::kNotApplicable;
+        if (applies_) *own_ = field_.given;
+        keep_ = [own = own_, keep = field_.keep](const QString& answer) {
+            *own = answer;
+            keep(answer);
+        };
+    }
 
     void add() {
         switch (item_.kind) {
@@ -73,11 +83,15 @@ class AnswerFields {
             default:
                 layout_->addWidget(line());
         }
-        if (item_.not_applicable && item_.kind != ItemKind::kLikert)
-            layout_->addWidget(doesNotApply());
+        if (!item_.not_applicable || item_.kind == ItemKind::kLikert) return;
+        layout_->addWidget(doesNotApply());
+        if (!applies_) show_({}, false);
     }
 
  private:
+    /// Sets the field without giving an answer: empty = none; false = "does not apply" is ticked.
+    using Show = std::function<void(const QString&, bool)>;
+
     /// The points of a scale side by side, the words at its ends beside them; above them where
     /// there are many points, in rows of at most 11.
     QLayout* scale() {
@@ -172,19 +186,26 @@ class AnswerFields {
 
     QVBoxLayout* multiple() {
         auto* column = new QVBoxLayout;
-        const auto given = curriculum::answer_indices(field_.given.toStdString());
         std::vector<QCheckBox*> boxes;
         for (size_t i = 0; i < item_.choices.size(); ++i) {
             auto* box = new QCheckBox(context_.in(item_.choices[i]));
             box->setObjectName(QString("answer_%1_%2").arg(qstr(item_.id)).arg(i));
             box->setMinimumHeight(kTouchTarget);
-            box->setChecked(given && std::find(given->begin(), given->end(), static_cast<int>(i)) !=
-                                         given->end());
             boxes.push_back(box);
             column->addWidget(box);
         }
+        show_ = [boxes](const QString& answer, bool applies) {
+            const std::vector<int> chosen =
+                curriculum::answer_indices(answer.toStdString()).value_or(std::vector<int>{});
+            for (size_t i = 0; i < boxes.size(); ++i) {
+                boxes[i]->setEnabled(applies);
+                boxes[i]->setChecked(std::count(chosen.begin(), chosen.end(), static_cast<int>(i)) >
+                                     0);
+            }
+        };
+        show_(*own_, true);
         for (QCheckBox* box : boxes) {
-            QObject::connect(box, &QCheckBox::clicked, field_.owner, [keep = field_.keep, boxes] {
+            QObject::connect(box, &QCheckBox::clicked, field_.owner, [keep = keep_, boxes] {
                 QStringList chosen;
                 for (size_t i = 0; i < boxes.size(); ++i)
                     if (boxes[i]->isChecked()) chosen << QString::number(i);
@@ -195,14 +216,23 @@ class AnswerFields {
     }
 
     QWidget* date() {
-        auto* edit = new TypedField(field_.given, field_.left);
+        auto* edit = new TypedField(*own_, field_.left);
+        show_ = showing(edit);
         edit->setObjectName("answer_" + qstr(item_.id));
         edit->setAccessibleName(context_.in(item_.text));
         edit->setPlaceholderText(tr("year-month-day, e.g. 2026-11-21"));
         edit->setMaximumWidth(320);
         QObject::connect(edit, &QLineEdit::textChanged, field_.owner,
-                         [keep = field_.keep, edit] { keep(edit->text().trimmed()); });
+                         [keep = keep_, edit] { keep(edit->text().trimmed()); });
         return edit;
+    }
+
+    static Show showing(QLineEdit* edit) {
+        return [edit](const QString& answer, bool applies) {
+            const QSignalBlocker quiet(edit);
+            edit->setText(answer);
+            edit->setEnabled(applies);
+        };
     }
 
     /// A line without marks. Nothing is answered before it was touched.
@@ -218,12 +248,17 @@ class AnswerFields {
         const double unit = span >= 20 ? 1 : span / 100;
         slider->setRange(0, static_cast<int>(std::lround(span / unit)));
         slider->setMinimumSize(360, kTouchTarget);
-        const auto given = curriculum::answer_number(field_.given.toStdString());
-        slider->setValue(given ? static_cast<int>(std::lround((*given - item_.number_min) / unit))
-                               : slider->maximum() / 2);
-        auto* state =
-            make_label(field_.given.isEmpty() ? tr("not answered") : tr("answered"), "small");
-        const auto take = [keep = field_.keep, slider, state, unit, low = item_.number_min] {
+        auto* state = make_label({}, "small");
+        show_ = [slider, state, unit, low = item_.number_min](const QString& answer, bool applies) {
+            const QSignalBlocker quiet(slider);
+            const auto given = curriculum::answer_number(answer.toStdString());
+            slider->setValue(given ? static_cast<int>(std::lround((*given - low) / unit))
+                                   : slider->maximum() / 2);
+            slider->setEnabled(applies);
+            state->setText(applies && answer.isEmpty() ? tr("not answered") : tr("answered"));
+        };
+        show_(*own_, true);
+        const auto take = [keep = keep_, slider, state, unit, low = item_.number_min] {
             keep(QString::number(low + unit * slider->value(), 'g', 6));
             state->setText(tr("answered"));
         };
@@ -239,10 +274,13 @@ class AnswerFields {
     QWidget* doesNotApply() {
         auto* box = new QCheckBox(tr("does not apply"));
         box->setObjectName(QString("answer_%1_NA").arg(qstr(item_.id)));
-        box->setChecked(field_.given == curriculum::kNotApplicable);
-        QObject::connect(box, &QCheckBox::clicked, field_.owner, [keep = field_.keep](bool on) {
-            keep(on ? QString(curriculum::kNotApplicable) : QString());
-        });
+        box->setChecked(!applies_);
+        // What stood in the field is put aside and comes back: field and answer say the same.
+        QObject::connect(box, &QCheckBox::clicked, field_.owner,
+                         [show = show_, keep = field_.keep, own = own_](bool on) {
+                             show(on ? QString() : *own, !on);
+                             keep(on ? QString(curriculum::kNotApplicable) : *own);
+                         });
         return box;
     }
 
@@ -253,31 +291,38 @@ class AnswerFields {
         box->addItem(tr("Choose …"), -1);
         for (size_t i = 0; i < item_.choices.size(); ++i)
             box->addItem(context_.in(item_.choices[i]), static_cast<int>(i));
-        const QString given = field_.given;
-        if (!given.isEmpty()) box->setCurrentIndex(given.toInt() + 1);
+        show_ = [box](const QString& answer, bool applies) {
+            const QSignalBlocker quiet(box);
+            box->setCurrentIndex(answer.isEmpty() ? 0 : answer.toInt() + 1);
+            box->setEnabled(applies);
+        };
+        show_(*own_, true);
         box->setMaximumWidth(420);
-        QObject::connect(box, &QComboBox::currentIndexChanged, field_.owner,
-                         [keep = field_.keep, box] {
-                             const int value = box->currentData().toInt();
-                             keep(value < 0 ? QString() : QString::number(value));
-                         });
+        QObject::connect(box, &QComboBox::currentIndexChanged, field_.owner, [keep = keep_, box] {
+            const int value = box->currentData().toInt();
+            keep(value < 0 ? QString() : QString::number(value));
+        });
         return box;
     }
 
     QWidget* line() {
         if (item_.kind == ItemKind::kText) {
-            auto* edit = new QPlainTextEdit(field_.given);
+            auto* edit = new QPlainTextEdit(*own_);
+            show_ = [edit](const QString& answer, bool applies) {
+                const QSignalBlocker quiet(edit);
+                edit->setPlainText(answer);
+                edit->setEnabled(applies);
+            };
             edit->setObjectName("answer_" + qstr(item_.id));
             edit->setAccessibleName(context_.in(item_.text));
             edit->setTabChangesFocus(true);
             edit->setFixedHeight(110);
             QObject::connect(edit, &QPlainTextEdit::textChanged, field_.owner,
-                             [keep = field_.keep, edit] { keep(edit->toPlainText().trimmed()); });
+                             [keep = keep_, edit] { keep(edit->toPlainText().trimmed()); });
             return edit;
         }
-        // The field offers what it takes; "does not apply" is no number.
-        const bool number = curriculum::answer_number(field_.given.toStdString()).has_value();
-        auto* edit = new TypedField(number ? field_.given : QString(), field_.left);
+        auto* edit = new TypedField(*own_, field_.left);
+        show_ = showing(edit);
         // A letter would be silently wrong until the review.
         edit->setValidator(new QRegularExpressionValidator(
             QRegularExpression(item_.number_min < 0 ? "-?[0-9]{0,9}([.,][0-9]{0,6})?"
@@ -291,9 +336,8 @@ class AnswerFields {
                                      .trimmed());
         edit->setMaximumWidth(240);
         // A comma is a decimal point to half of Europe; the store always holds '.'.
-        QObject::connect(edit, &QLineEdit::textChanged, field_.owner, [keep = field_.keep, edit] {
-            keep(edit->text().trimmed().replace(',', '.'));
-        });
+        QObject::connect(edit, &QLineEdit::textChanged, field_.owner,
+                         [keep = keep_, edit] { keep(edit->text().trimmed().replace(',', '.')); });
         return edit;
     }
 
@@ -301,6 +345,11 @@ class AnswerFields {
     AppContext& context_;
     AnswerField field_;
     const QuestionnaireItem& item_;
+    bool applies_ = true;  ///< "Does not apply" was not the answer so far.
+    /// What the field says, also while "does not apply" is ticked and the field is empty.
+    std::shared_ptr<QString> own_ = std::make_shared<QString>();
+    std::function<void(const QString&)> keep_;  ///< An answer of the field itself.
+    Show show_;
 };
 
 }  // namespace
