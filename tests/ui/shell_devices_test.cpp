@@ -165,9 +165,16 @@ void ShellDevicesTest::armThatIsNotCalibratedIsShownAsSuch() {
 
 void ShellDevicesTest::forceTestBeginsWithHalfANewtonAndIsSaved() {
     QVERIFY(shell_->text("force_text").contains("0.5 N"));
+    // What nobody can have felt yet can be wrong already, but not good.
+    const auto can = [&](const char* name) { return shell_->find<QPushButton>(name)->isEnabled(); };
+    QVERIFY(waits([&] { return can("force_bad"); }));
+    QVERIFY(!can("force_good"));
+    QVERIFY(shell_->find<QLabel>("floor_first")->isVisible());
     QVERIFY(shell_->click("floor"));
     QVERIFY(
         waits([&] { return shell_->find<QPushButton>("floor")->text() == "Take the floor away"; }));
+    QVERIFY(can("force_good"));
+    QVERIFY(!shell_->find<QLabel>("floor_first")->isVisible());
     QVERIFY(lower(-0.025));
     QVERIFY(waits([&] { return std::abs(service_.force(0)[2] - 0.5) < 0.005; }));
     // As it is now: in the other theme the page would begin its test anew.
@@ -178,6 +185,8 @@ void ShellDevicesTest::forceTestBeginsWithHalfANewtonAndIsSaved() {
     QCOMPARE(station().number("tested.force_n"), 0.5);
     QCOMPARE(station().text("tested.device"), std::string("haply"));
     QVERIFY(saysIn("trial_loop", "Force at most 1.0 N, stiffness 300 N/m."));
+    QVERIFY(waits([&] { return can("force_bad"); }));
+    QVERIFY2(!can("force_good"), "the next force has a floor of its own");
     QVERIFY(shell_->text("tested").contains("0.5 N"));
     QVERIFY(lower(0));
 }

@@ -100,6 +100,7 @@ class TrialCard : public QFrame {
         floor_->setObjectName("floor");
         good_ = make_button(context_, tr("It pushed me out softly"), "secondary", "check");
         good_->setObjectName("force_good");
+        good_->setEnabled(false);  // before the device has said anything, too
         bad_ = make_button(context_, tr("It buzzed or pushed wrongly"), "danger", "alert");
         bad_->setObjectName("force_bad");
         connect(floor_, &QPushButton::clicked, this,
@@ -110,6 +111,11 @@ class TrialCard : public QFrame {
         for (QPushButton* button : {good_, bad_}) row->addWidget(button);
         row->addStretch();
         layout->addLayout(row);
+        floor_first_ = make_hint();
+        floor_first_->setObjectName("floor_first");
+        floor_first_->setText(
+            tr("First put the floor under the hand: a force that nobody felt is not passed."));
+        layout->addWidget(floor_first_);
         return box;
     }
 
@@ -138,7 +144,7 @@ class TrialCard : public QFrame {
     }
 
     void begin() {
-        answered_ = false;
+        answered_ = floored_ = false;
         details_->setText({});
         context_.guard(tr("Trying the device"), [this] { tester_.start(device_, level()); });
         stop_->setText(tr("End the test"));
@@ -169,7 +175,10 @@ class TrialCard : public QFrame {
             loop += " " + tr("Last error of the device: %1.").arg(state.last_error);
         loop_->setText(loop);
         floor_->setText(state.floor ? tr("Take the floor away") : tr("Put a floor under the hand"));
-        for (QPushButton* button : {floor_, good_, bad_}) button->setEnabled(force);
+        floored_ = floored_ || state.floor;
+        for (QPushButton* button : {floor_, bad_}) button->setEnabled(force);
+        good_->setEnabled(force && floored_);
+        floor_first_->setVisible(force && !floored_);
         if (!force && !arms_.empty())
             force_text_->setText(tr("This device gives no force: there is nothing to test."));
         showHands(state);
@@ -258,6 +267,7 @@ class TrialCard : public QFrame {
         loop_->setText(why.isEmpty() ? tr("The test has ended; no force.") : problem.said());
         details_->setText(why);
         for (QPushButton* button : {floor_, good_, bad_}) button->setEnabled(false);
+        floor_first_->hide();
     }
 
     static std::string number_text(double value) { return QString::number(value).toStdString(); }
@@ -267,11 +277,13 @@ class TrialCard : public QFrame {
     StationWishes wishes_;
     size_t level_ = 0;
     bool answered_ = false;
+    bool floored_ = false;  ///< A floor was there since this force began.
     TrialArms arms_;
     QPushButton *stop_ = nullptr, *floor_ = nullptr, *good_ = nullptr, *bad_ = nullptr,
                 *identify_ = nullptr, *swap_ = nullptr;
     Details* details_ = nullptr;
-    QLabel *loop_ = nullptr, *rights_ = nullptr, *force_text_ = nullptr, *hand_text_ = nullptr;
+    QLabel *loop_ = nullptr, *rights_ = nullptr, *force_text_ = nullptr, *floor_first_ = nullptr,
+           *hand_text_ = nullptr;
     DeviceTester tester_;  // the last: it ends first
 };
 

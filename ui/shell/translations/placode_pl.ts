@@ -7267,6 +7267,10 @@
         <translation>Wypchnęło mnie łagodnie</translation>
     </message>
     <message>
+        <source>First put the floor under the hand: a force that nobody felt is not passed.</source>
+        <translation>Najpierw ustaw podłogę pod ręką: siły, której nikt nie poczuł, nie można zaliczyć.</translation>
+    </message>
+    <message>
         <source>It buzzed or pushed wrongly</source>
         <translation>Brzęczało albo pchało źle</translation>
     </message>
