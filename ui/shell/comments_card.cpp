@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Remarks on an attempt: educators and the person who made it write them, both read them.
 
+#include <QApplication>
+#include <QElapsedTimer>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLineEdit>
 
 #include "reports/words.h"
@@ -11,6 +14,17 @@
 
 namespace placode::ui {
 namespace {
+
+/// Enter that is held writes one remark and not one for each time that it repeats.
+class OneEnter : public QObject {
+ public:
+    explicit OneEnter(QWidget* field) : QObject(field) { field->installEventFilter(this); }
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() != QEvent::KeyPress) return false;
+        const auto* key = static_cast<QKeyEvent*>(event);
+        return key->isAutoRepeat() && (key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter);
+    }
+};
 
 class CommentsCard : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(CommentsCard)
@@ -61,11 +75,21 @@ class CommentsCard : public QFrame {
         add->setObjectName("comment_add");
         connect(add, &QPushButton::clicked, this, [this] { this->add(); });
         connect(text_, &QLineEdit::returnPressed, this, [this] { this->add(); });
+        for (QWidget* field : {static_cast<QWidget*>(text_), static_cast<QWidget*>(add)})
+            new OneEnter(field);
         row->addWidget(add);
         return row;
     }
 
+    /// The second press of a double click: nothing was typed since the remark before. Its moment
+    /// may be a later one, where the replay runs on.
+    [[nodiscard]] bool isPressedTwice() const {
+        return text_->text().trimmed().isEmpty() && added_.isValid() &&
+               added_.elapsed() < QApplication::doubleClickInterval();
+    }
+
     void add() {
+        if (isPressedTwice()) return;
         context_.guard(tr("Saving the remark"), [this] {
             db::CommentRecord comment;
             comment.attempt_id = attempt_id_;
@@ -75,6 +99,7 @@ class CommentsCard : public QFrame {
             (void)context_.store().reviews().add_comment(comment);
             text_->clear();
             refill();
+            added_.start();
         });
     }
 
@@ -152,6 +177,7 @@ class CommentsCard : public QFrame {
     QVBoxLayout* list_ = nullptr;
     QLineEdit* text_ = nullptr;
     QPushButton* undo_ = nullptr;
+    QElapsedTimer added_;  ///< Since the last remark; a slow store counts as no time.
 };
 
 }  // namespace
