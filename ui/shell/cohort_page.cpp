@@ -205,10 +205,11 @@ class CohortPage : public Page {
                 ? sign + QString::number(whole_points(cell.last))
                 : QString("%1 %2  %3×").arg(sign, format_points(cell.last)).arg(cell.attempts);
         QTableWidgetItem* item = make_number_cell(words, cell.last);
-        item->setToolTip(
-            standing_words(cell.standing) + " · " + format_points(cell.last) + " · " +
-            tr("best %1, passed in a row: %2").arg(format_points(cell.best)).arg(cell.streak) +
-            " · " + tr("attempts: %1").arg(cell.attempts));
+        item->setToolTip(standing_words(cell.standing) + " · " + format_points(cell.last) + " · " +
+                         tr("best %1, finished attempts passed in a row: %2")
+                             .arg(format_points(cell.best))
+                             .arg(cell.streak) +
+                         " · " + tr("attempts: %1").arg(cell.attempts));
         const Tokens& colors = context_.colors();
         switch (cell.standing) {
             case Standing::kPassing:

@@ -1323,8 +1323,8 @@
         <translation>Ostatnio</translation>
     </message>
     <message>
-        <source>best %1, passed in a row: %2</source>
-        <translation>najlepiej %1, zaliczone z rzędu: %2</translation>
+        <source>best %1, finished attempts passed in a row: %2</source>
+        <translation>najlepiej %1, ukończone próby zaliczone z rzędu: %2</translation>
     </message>
     <message>
         <source>Scores of a task</source>
