@@ -8,6 +8,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QRadioButton>
+#include <QSpinBox>
 
 #include "assessment/standard_setting.h"
 #include "curriculum/questionnaire.h"
@@ -20,6 +21,21 @@ namespace placode::ui {
 namespace {
 constexpr const char* kTask = "diathermy_ring_small";
 const QStringList kNames{"Anna Stuck", "Bert Back", "Cleo Clever", "Dan Quick"};
+
+/// An attempt is all that a task needs to stand in the list of the page of standards.
+void add_attempt(db::Store& store, int64_t user, const std::string& task) {
+    db::AttemptResult result;
+    result.header.task_id = task;
+    result.header.device = "mouse";
+    result.header.started_utc = "2026-03-01T10:00:00Z";
+    result.end.reason = sim::EndReason::kFinished;
+    result.end.duration_s = 200;
+    result.metrics.values = {{"task_time_s", 200}};
+    result.score.points = 70;
+    result.score.verdict = assessment::Verdict::kPassed;
+    result.score.rubric_id = "ring_incision";
+    (void)store.attempts().save(user, result);
+}
 }  // namespace
 
 class ShellEducatorTest : public QObject {
@@ -37,6 +53,7 @@ class ShellEducatorTest : public QObject {
     void standardComesFromTwoGroups();
     void metricsWithoutEvidenceAreFlagged();
     void judgesEstimateAPassMark();
+    void estimatesStayUntilTheyAreSet();
     void raterSeesNeitherNameNorScore();
     void agreementOfRatersIsTold();
     void searchOpensByKeyboardAlone();
@@ -306,20 +323,82 @@ void ShellEducatorTest::judgesEstimateAPassMark() {
     table->item(0, 2)->setText("80");
     shell.scrollTo("set_angoff");
     shell.keep(shell.window().grab(), "82_angoff_light");
+    // A standard of the groups, which makes the cards anew, takes nothing from the judges.
+    const auto standard_is = [&shell](const char* version) {
+        return QTest::qWaitFor([&] { return shell.text("standard_now").contains(version); }, 5000);
+    };
+    QVERIFY(shell.type("standard_reason", "The same groups once more"));
+    QVERIFY(shell.click("set_standard"));
+    QVERIFY(standard_is("version 2"));
+    QCOMPARE(shell.find<QTableWidget>("angoff_table")->item(0, 2)->text(), QString("80"));
     QVERIFY(shell.type("angoff_reason", "Judges met in November"));
     QVERIFY(shell.click("set_angoff"));
-    QVERIFY(shell.bannerSays("The standard is set (version 2)"));
+    QVERIFY(shell.bannerSays("The standard is set (version 3)"));
     const auto set = db::standard_at(shell.owner(), kTask);
     QCOMPARE(set->standard.method, std::string("angoff"));
     QCOMPARE(set->standard.angoff.judges, 2);
-    QVERIFY(
-        QTest::qWaitFor([&] { return shell.text("standard_now").contains("version 2"); }, 5000));
+    QVERIFY(standard_is("version 3"));
+    QCOMPARE(shell.find<QTableWidget>("angoff_table")->item(0, 2)->text(), QString());
     for (const QSize size : {QSize(1920, 1080), QSize(1024, 768)}) {
         shell.window().resize(size);
         QTest::qWait(80);
         QVERIFY(shell.fits());
         shell.whole(QString("82_standards_all_%1").arg(size.width()));
     }
+}
+
+// A table of judges is half a day's work. It was gone after a lock, in the other language or theme,
+// on another page, and with one key too many in "Judges" or in the list of tasks.
+void ShellEducatorTest::estimatesStayUntilTheyAreSet() {
+    ShellHarness shell;
+    QVERIFY(shell.setUpWithDemonstration());
+    for (const char* task : {kTask, "trace_contour"})
+        add_attempt(shell.owner(), shell.idOf("ada"), task);
+    QVERIFY(shell.signIn("demo.educator", "placode-demo"));
+    shell.window().open({PageId::kStandards, 0, {}, {{"task", kTask}}});
+    QVERIFY(shell.arrives(PageId::kStandards));
+    const auto table = [&shell] { return shell.find<QTableWidget>("angoff_table"); };
+    const auto cell = [&table](int row, int column) { return table()->item(row, column)->text(); };
+    table()->item(0, 2)->setText("80");
+    table()->item(1, 3)->setText("60");
+    for (const char* language : {"pl", "en"}) {
+        shell.context().setLanguage(language);
+        QVERIFY(shell.arrives(PageId::kStandards));
+        QCOMPARE(cell(0, 2), QString("80"));
+        QCOMPARE(cell(1, 3), QString("60"));
+    }
+    // A judge too many, and one too few: a column that comes back is filled as it was.
+    auto* judges = shell.find<QSpinBox>("angoff_judges");
+    judges->setValue(3);
+    table()->item(0, 4)->setText("70");
+    judges->setValue(2);
+    // With two judges only two count.
+    QCOMPARE(shell.text("angoff_said"),
+             QString("Estimates that are missing: %1").arg(2 * table()->rowCount() - 2));
+    shell.context().setTheme(ThemeKind::kDark);
+    judges = shell.find<QSpinBox>("angoff_judges");
+    QCOMPARE(judges->value(), 2);
+    judges->setValue(3);
+    QCOMPARE(cell(0, 4), QString("70"));
+    // Another page and another task ask first.
+    shell.refuseNext();
+    shell.window().open({PageId::kCohort, 0, {}, {}});
+    QVERIFY(shell.window().current() == PageId::kStandards);
+    QCOMPARE(cell(0, 2), QString("80"));
+    auto* tasks = shell.find<QComboBox>("standard_task");
+    const int chosen = tasks->currentIndex();
+    const Qt::Key key = chosen == 0 ? Qt::Key_Down : Qt::Key_Up;
+    shell.refuseNext();
+    QTest::keyClick(tasks, key);
+    QCOMPARE(tasks->currentIndex(), chosen);
+    QCOMPARE(cell(1, 3), QString("60"));
+    shell.confirmNext();
+    QTest::keyClick(tasks, key);
+    QVERIFY(tasks->currentIndex() != chosen);
+    QVERIFY(QTest::qWaitFor([&] { return cell(0, 2).isEmpty(); }, 5000));
+    // Nothing is filled: nothing is asked.
+    shell.window().open({PageId::kCohort, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kCohort));
 }
 
 void ShellEducatorTest::raterSeesNeitherNameNorScore() {

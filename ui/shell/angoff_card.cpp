@@ -19,14 +19,20 @@ namespace placode::ui {
 namespace {
 
 constexpr int kLeastJudges = 2, kMostJudges = 12, kFewJudges = 8;
+constexpr int kFirstJudge = 2;  ///< Column; before it the line and its points.
 
 class AngoffCard : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(AngoffCard)
  public:
+    using Told = std::function<void(const QVariantMap&)>;
     using Save = std::function<void(const assessment::Angoff&, const QString&)>;
 
-    AngoffCard(AppContext& context, const curriculum::Task& task, Save save)
-        : context_(context), items_(task.rubric.items), save_(std::move(save)) {
+    AngoffCard(AppContext& context, const curriculum::Task& task, const QVariantMap& typed,
+               Told told, Save save)
+        : context_(context),
+          items_(task.rubric.items),
+          told_(std::move(told)),
+          save_(std::move(save)) {
         setProperty("role", "card");
         setObjectName("angoff_card");
         auto* layout = new QVBoxLayout(this);
@@ -60,12 +66,42 @@ class AngoffCard : public QFrame {
         said_->setObjectName("angoff_said");
         layout->addWidget(said_);
         if (save_) addSaving(layout);
-        connect(judges_, &QSpinBox::valueChanged, this, [this] { setJudges(); });
-        connect(table_, &QTableWidget::cellChanged, this, [this] { compute(); });
+        typeAgain(typed);
         setJudges();
+        connect(judges_, &QSpinBox::valueChanged, this, [this] {
+            setJudges();
+            tell();
+        });
+        connect(table_, &QTableWidget::cellChanged, this,
+                [this](int row, int column) { take(row, column); });
     }
 
  private:
+    void typeAgain(const QVariantMap& typed) {
+        judges_->setValue(typed.value("judges", kLeastJudges).toInt());
+        const QVariantMap cells = typed.value("cells").toMap();
+        for (const assessment::RubricItem& item : items_)
+            typed_.push_back(cells.value(qstr(item.id)).toStringList());
+    }
+
+    void tell() const {
+        QVariantMap cells;
+        for (size_t i = 0; i < items_.size(); ++i)
+            if (!typed_[i].join(QString()).trimmed().isEmpty())
+                cells[qstr(items_[i].id)] = typed_[i];
+        told_({{"judges", judges_->value()}, {"cells", cells}});
+    }
+
+    void take(int row, int column) {
+        if (const int judge = column - kFirstJudge; judge >= 0) {
+            QStringList& line = typed_[static_cast<size_t>(row)];
+            while (line.size() <= judge) line.append(QString());
+            line[judge] = table_->item(row, column)->text();
+            tell();
+        }
+        compute();
+    }
+
     void fillItems() {
         table_->setRowCount(static_cast<int>(items_.size()));
         for (int row = 0; row < table_->rowCount(); ++row) {
@@ -102,25 +138,26 @@ class AngoffCard : public QFrame {
         const int judges = judges_->value();
         {
             const QSignalBlocker quiet(table_);
-            table_->setColumnCount(2 + judges);
+            table_->setColumnCount(kFirstJudge + judges);
             for (int j = 0; j < judges; ++j) {
-                const int column = 2 + j;
+                const int column = kFirstJudge + j;
                 table_->setHorizontalHeaderItem(column,
                                                 new QTableWidgetItem(tr("Judge %1").arg(j + 1)));
                 for (int row = 0; row < table_->rowCount(); ++row)
                     if (table_->item(row, column) == nullptr)
-                        table_->setItem(row, column, make_cell({}));
+                        table_->setItem(row, column,
+                                        make_cell(typed_[static_cast<size_t>(row)].value(j)));
             }
         }
         fit_columns(table_, 0);
-        for (int c = 2; c < table_->columnCount(); ++c) table_->setColumnWidth(c, 96);
+        for (int c = kFirstJudge; c < table_->columnCount(); ++c) table_->setColumnWidth(c, 96);
         compute();
     }
 
     /// The estimates, or what is wrong with one.
     [[nodiscard]] QString readEstimates(std::vector<std::vector<double>>& estimates) const {
         int missing = 0;
-        for (int c = 2; c < table_->columnCount(); ++c) {
+        for (int c = kFirstJudge; c < table_->columnCount(); ++c) {
             estimates.emplace_back();
             for (int row = 0; row < table_->rowCount(); ++row) {
                 const QString text = table_->item(row, c)->text().trimmed();
@@ -161,6 +198,10 @@ class AngoffCard : public QFrame {
 
     AppContext& context_;
     std::vector<assessment::RubricItem> items_;
+    /// Of every line what each judge has typed. A judge's column that is taken away, perhaps by one
+    /// key too many in the number of judges, is filled again when it comes back.
+    std::vector<QStringList> typed_;
+    Told told_;
     Save save_;
     assessment::Angoff result_;
     QSpinBox* judges_ = nullptr;
@@ -173,9 +214,10 @@ class AngoffCard : public QFrame {
 }  // namespace
 
 QWidget* make_angoff_card(
-    AppContext& context, const std::string& task_id,
+    AppContext& context, const std::string& task_id, const QVariantMap& typed,
+    const std::function<void(const QVariantMap&)>& told,
     const std::function<void(const assessment::Angoff&, const QString&)>& save) {
-    return new AngoffCard(context, curriculum::load_task(task_id), save);
+    return new AngoffCard(context, curriculum::load_task(task_id), typed, told, save);
 }
 
 }  // namespace placode::ui

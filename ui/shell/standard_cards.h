@@ -4,6 +4,7 @@
 // Parts of the page of standards: a pass mark from two groups or from the estimates of judges, and
 // how much each metric is worth.
 
+#include <QVariantMap>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -35,9 +36,13 @@ namespace placode::ui {
                                          const std::vector<int64_t>& novices,
                                          const std::vector<int64_t>& experts);
 
-/// A table of rubric items by judges. `save` keeps the mark; absent for who may not.
+/// A table of rubric items by judges.
+/// @param typed what `told` was given before the page was made anew. @param told gets it after
+/// every change: "judges", and in "cells" for each line of the rubric, by its id, a text of every
+/// judge; lines without any are left out. @param save keeps the mark; absent for who may not.
 [[nodiscard]] QWidget* make_angoff_card(
-    AppContext& context, const std::string& task_id,
+    AppContext& context, const std::string& task_id, const QVariantMap& typed,
+    const std::function<void(const QVariantMap&)>& told,
     const std::function<void(const assessment::Angoff&, const QString& reason)>& save);
 
 }  // namespace placode::ui

@@ -38,6 +38,7 @@ class StandardsPage : public Page {
         context.require(db::Action::kViewAttempts, db::Scope::kOther);
         known_ = context.store().attempts().tasks();
         groups_ = place.state.value("groups").toMap();
+        angoff_ = place.state.value("angoff").toMap();
         QVBoxLayout* column = make_column(this);
         auto* head = new QHBoxLayout;
         head->addWidget(make_label(tr("Standards"), "display"), 1);
@@ -46,7 +47,8 @@ class StandardsPage : public Page {
         tasks_->setAccessibleName(tr("Task"));
         for (const std::string& task : known_)
             tasks_->addItem(task_title(context, task), qstr(task));
-        tasks_->setCurrentIndex(std::max(0, tasks_->findData(place.state.value("task"))));
+        shown_ = std::max(0, tasks_->findData(place.state.value("task")));
+        tasks_->setCurrentIndex(shown_);
         head->addWidget(tasks_);
         column->addLayout(head);
         column->addWidget(make_label(
@@ -63,19 +65,33 @@ class StandardsPage : public Page {
         body_->setSpacing(kSpace16);
         column->addLayout(body_);
         column->addStretch();
-        connect(tasks_, &QComboBox::currentIndexChanged, this, [this] {
-            groups_.clear();
-            showTask();
-        });
+        connect(tasks_, &QComboBox::currentIndexChanged, this, [this] { chooseTask(); });
         showTask();
     }
 
     [[nodiscard]] QString title() const override { return tr("Standards"); }
     [[nodiscard]] QVariantMap state() const override {
-        return {{"task", tasks_->currentData()}, {"groups", groups_}};
+        return {{"task", tasks_->itemData(shown_)}, {"groups", groups_}, {"angoff", angoff_}};
+    }
+    [[nodiscard]] bool mayLeave() override {
+        return angoff_.value("cells").toMap().isEmpty() ||
+               confirm(this, tr("Leave without setting the standard?"),
+                       tr("What the judges have estimated is lost."), tr("Leave"), tr("Stay here"));
     }
 
  private:
+    /// One arrow key on the list is enough for another task: it asks as a page does.
+    void chooseTask() {
+        if (!mayLeave()) {
+            const QSignalBlocker quiet(tasks_);
+            return tasks_->setCurrentIndex(shown_);
+        }
+        shown_ = tasks_->currentIndex();
+        groups_.clear();
+        angoff_.clear();
+        showTask();
+    }
+
     void read() {
         operators_.clear();
         for (db::RecentMean& each :
@@ -113,9 +129,11 @@ class StandardsPage : public Page {
             std::function<void(const assessment::Angoff&, const QString&)> save;
             if (context_.may(db::Action::kSetStandards, db::Scope::kOther))
                 save = [this](const assessment::Angoff& judges, const QString& reason) {
-                    keep(db::standard_of_judges(task(), judges), reason);
+                    // What is set cannot be lost any more: the next table begins empty.
+                    if (keep(db::standard_of_judges(task(), judges), reason)) angoff_.clear();
                 };
-            body_->addWidget(make_angoff_card(context_, task(), save));
+            const auto told = [this](const QVariantMap& typed) { angoff_ = typed; };
+            body_->addWidget(make_angoff_card(context_, task(), angoff_, told, save));
         });
     }
 
@@ -155,8 +173,9 @@ class StandardsPage : public Page {
         keep(db::standard_of_groups(task(), values(1), values(2), kLastAttempts), reason_->text());
     }
 
-    void keep(const curriculum::PassStandard& standard, const QString& reason) {
-        context_.guard(tr("Setting the standard"), [&] {
+    /// False when it was refused.
+    bool keep(const curriculum::PassStandard& standard, const QString& reason) {
+        return context_.guard(tr("Setting the standard"), [&] {
             context_.require(db::Action::kSetStandards, db::Scope::kOther);
             const int version =
                 db::set_standard(context_.store(), standard, reason.trimmed().toStdString());
@@ -292,6 +311,8 @@ class StandardsPage : public Page {
     std::vector<std::string> known_;  ///< Tasks with attempts.
     std::vector<Operator> operators_;
     QVariantMap groups_;  ///< Key of the operator to 0 neither, 1 novice, 2 expert.
+    QVariantMap angoff_;  ///< What judges have typed and nobody has set, as the card tells it.
+    int shown_ = 0;       ///< Row of the task whose standard is shown.
     QComboBox* tasks_ = nullptr;
     QTableWidget* people_ = nullptr;
     QVBoxLayout *body_ = nullptr, *result_ = nullptr;

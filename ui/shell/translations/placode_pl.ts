@@ -5486,6 +5486,22 @@
         <translation>Nie ma jeszcze prób.</translation>
     </message>
     <message>
+        <source>Leave without setting the standard?</source>
+        <translation>Wyjść bez ustalenia standardu?</translation>
+    </message>
+    <message>
+        <source>What the judges have estimated is lost.</source>
+        <translation>Oszacowania sędziów przepadną.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Wyjdź</translation>
+    </message>
+    <message>
+        <source>Stay here</source>
+        <translation>Zostań tutaj</translation>
+    </message>
+    <message>
         <source>Groups</source>
         <translation>Grupy</translation>
     </message>
