@@ -82,8 +82,18 @@ class ShellProtocolsTest : public QObject {
     void whatDoesNotApplyIsPutAsideAndComesBack();
     void aStudyWithArmsIsBuiltAndPublishedWithAReason();
     void definitionsGoOutAndIn();
+    void unsavedTextIsAskedAbout();
+    void theFormWaitsForTextThatCanBeRead();
+    void whatWasRemovedIsPutBack();
 
  private:
+    /// A questionnaire of every kind in the editor, whatever the test before has left there.
+    void begin() {
+        shell_->window().visit(
+            {PageId::kProtocols, 0, {}, {{"kind", "questionnaire"}, {"text", kKinds}}});
+        QVERIFY(shell_->arrives(PageId::kProtocols));
+        QCOMPARE(list()->count(), 9);
+    }
     [[nodiscard]] bool press(const QString& name) {
         return QTest::qWaitFor(
                    [&] {
@@ -432,6 +442,110 @@ void ShellProtocolsTest::definitionsGoOutAndIn() {
     QVERIFY(statusSays("Brak błędów"));
     shell_->shot("76_protocol_editor_polish");
     shell_->context().setLanguage("en");
+}
+
+// New, and the rail during a preview, took a text that stood nowhere else.
+void ShellProtocolsTest::unsavedTextIsAskedAbout() {
+    begin();
+    if (QTest::currentTestFailed()) return;
+    const QString typed = QString(kKinds).replace("Remark", "Typed by hand");
+    const auto refused = [this](PageId here) {
+        shell_->refuseNext();
+        shell_->window().open({PageId::kStudies, 0, {}, {}});
+        return shell_->window().current() == here;
+    };
+    json()->setPlainText(typed);
+    shell_->refuseNext();
+    QVERIFY(press("definition_new"));
+    QCOMPARE(json()->toPlainText(), typed);
+    QVERIFY(press("definition_preview"));
+    QVERIFY(shell_->arrives(PageId::kParticipant));
+    QVERIFY(refused(PageId::kParticipant));
+    QVERIFY(press("cancel_participant"));
+    QVERIFY(shell_->arrives(PageId::kProtocols));
+    QCOMPARE(json()->toPlainText(), typed);
+    QVERIFY(refused(PageId::kProtocols));
+    QCOMPARE(json()->toPlainText(), typed);
+    // Of what was exported nothing is asked.
+    shell_->save_as = shell_->path("typed.json");
+    QVERIFY(press("definition_export"));
+    QVERIFY(press("definition_preview"));
+    QVERIFY(shell_->arrives(PageId::kParticipant));
+    shell_->window().open({PageId::kStudies, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kStudies));
+}
+
+// The form holds what the text was before: with one comma missing, a touch of it wrote that over
+// everything that was typed since.
+void ShellProtocolsTest::theFormWaitsForTextThatCanBeRead() {
+    begin();
+    if (QTest::currentTestFailed()) return;
+    QString broken = QString(kKinds).replace("Remark", "Typed by hand");
+    broken.remove(broken.indexOf(','), 1);
+    json()->setPlainText(broken);
+    // Also before the page has read it: it waits for a moment without a key.
+    QVERIFY(shell_->click("element_add"));
+    QCOMPARE(json()->toPlainText(), broken);
+    QVERIFY(statusSays("The form waits until the text can be read"));
+    for (const char* name : {"element_add", "element_up", "element_down", "element_remove"})
+        QVERIFY2(!shell_->find<QPushButton>(name)->isEnabled(), name);
+    QVERIFY(!shell_->find<QLineEdit>("form_id")->isEnabled());
+    QCOMPARE(json()->toPlainText(), broken);
+    const QString mended = QString(kKinds).replace("Remark", "Typed by hand");
+    json()->setPlainText(mended);
+    QVERIFY(press("element_add"));
+    QCOMPARE(list()->count(), 10);
+    QVERIFY(json()->toPlainText().contains("Typed by hand"));
+    // A field of the form, a moment after a key in the text: the text leads, the form follows.
+    json()->setPlainText(mended);
+    QTest::keyClick(shell_->find<QLineEdit>("form_id"), Qt::Key_X);  // It is gone afterwards.
+    QCOMPARE(json()->toPlainText(), mended);
+    QVERIFY(QTest::qWaitFor([&] { return list()->count() == 9; }, 5000));
+}
+
+void ShellProtocolsTest::whatWasRemovedIsPutBack() {
+    begin();
+    if (QTest::currentTestFailed()) return;
+    const auto names = [this] {
+        QStringList all;
+        for (int row = 0; row < list()->count(); ++row) all << list()->item(row)->text();
+        return all;
+    };
+    const QStringList before = names();
+    const QString text = json()->toPlainText();
+    list()->setCurrentRow(4);
+    // Two clicks that were meant as one, also on a slow computer.
+    const int interval = QApplication::doubleClickInterval();
+    QApplication::setDoubleClickInterval(5000);
+    QVERIFY(shell_->click("element_remove"));
+    QVERIFY(shell_->click("element_remove"));
+    QApplication::setDoubleClickInterval(interval);
+    QCOMPARE(list()->count(), before.size() - 1);
+    QVERIFY(!names().contains(before[4]));
+    QCOMPARE(shell_->text("element_removed"), "Removed: " + before[4]);
+    QTest::qWait(interval + 100);
+    QVERIFY(shell_->click("element_remove"));
+    QCOMPARE(list()->count(), before.size() - 2);
+    // The last one first.
+    QTest::qWait(interval + 100);
+    QVERIFY(shell_->click("element_put_back"));
+    QCOMPARE(shell_->text("element_removed"), "Removed: " + before[4]);
+    QVERIFY(shell_->click("element_put_back"));
+    QCOMPARE(names(), before);
+    QCOMPARE(list()->currentRow(), 4);
+    const QWidget* page = shell_->window().page();
+    QVERIFY(!shell_->find<QPushButton>("element_put_back")->isVisibleTo(page));
+    using curriculum::load_questionnaire_text;
+    const auto put_back = load_questionnaire_text(json()->toPlainText().toStdString(), "t");
+    const auto whole = load_questionnaire_text(text.toStdString(), "t");
+    QCOMPARE(put_back.items.size(), whole.items.size());
+    for (size_t i = 0; i < whole.items.size(); ++i)
+        QCOMPARE(put_back.items[i].text.en, whole.items[i].text.en);
+    // Of another definition nothing is put back.
+    QVERIFY(shell_->click("element_remove"));
+    shell_->confirmNext();
+    QVERIFY(press("definition_new"));
+    QVERIFY(!shell_->find<QPushButton>("element_put_back")->isVisibleTo(page));
 }
 
 }  // namespace placode::ui

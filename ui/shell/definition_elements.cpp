@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/definition_elements.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QListWidget>
 #include <algorithm>
 
@@ -57,7 +59,22 @@ QWidget* DefinitionElements::listCard() {
     row->addWidget(make_action(context_, this, tr("Remove"), "quiet", "close", "element_remove",
                                [this] { removeElement(); }));
     layout->addLayout(row);
+    layout->addWidget(removedRow());
     return make_card(layout);
+}
+
+QWidget* DefinitionElements::removedRow() {
+    removed_row_ = new QWidget;
+    auto* row = new QHBoxLayout(removed_row_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kSpace8);
+    removed_name_ = make_label({}, "small");
+    removed_name_->setObjectName("element_removed");
+    row->addWidget(removed_name_, 1);
+    row->addWidget(make_action(context_, this, tr("Put it back"), "secondary", "again",
+                               "element_put_back", [this] { putBack(); }));
+    removed_row_->hide();
+    return removed_row_;
 }
 
 QWidget* DefinitionElements::formCard() {
@@ -124,11 +141,13 @@ void DefinitionElements::listChanged(int row) {
 }
 
 void DefinitionElements::add() {
+    if (!ready()) return;
     elements().push_back(new_element(study_, elements().size() + 1));
     listChanged(static_cast<int>(elements().size()) + firstRow() - 1);
 }
 
 void DefinitionElements::moveBy(int by) {
+    if (!ready()) return;
     const int row = list_->currentRow(), to = row + by;
     if (row < firstRow() || to < firstRow() || to >= list_->count()) return;
     std::swap(elements()[static_cast<size_t>(row - firstRow())],
@@ -137,10 +156,42 @@ void DefinitionElements::moveBy(int by) {
 }
 
 void DefinitionElements::removeElement() {
+    if (clickedTwice() || !ready()) return;
     const int row = list_->currentRow();
     if (row < firstRow()) return;
-    elements().erase(static_cast<size_t>(row - firstRow()));
+    const auto at = static_cast<size_t>(row - firstRow());
+    removed_.emplace_back(at, elements()[at]);
+    since_removal_.start();
+    elements().erase(at);
     listChanged(row - 1);
+    showRemoved();
+}
+
+void DefinitionElements::putBack() {
+    // The row of this button has just moved the others: a double click may end here.
+    if (clickedTwice() || !ready() || removed_.empty()) return;
+    OrderedJson& list = elements();
+    const size_t at = std::min(removed_.back().first, list.size());
+    list.insert(list.begin() + static_cast<std::ptrdiff_t>(at), removed_.back().second);
+    removed_.pop_back();
+    listChanged(firstRow() + static_cast<int>(at));
+    showRemoved();
+}
+
+bool DefinitionElements::clickedTwice() const {
+    return since_removal_.isValid() &&
+           since_removal_.elapsed() < QApplication::doubleClickInterval();
+}
+
+void DefinitionElements::showRemoved() {
+    removed_row_->setVisible(!removed_.empty());
+    if (!removed_.empty())
+        removed_name_->setText(tr("Removed: %1").arg(element_name(removed_.back().second)));
+}
+
+void DefinitionElements::forgetRemoved() {
+    removed_.clear();
+    showRemoved();
 }
 
 }  // namespace placode::ui

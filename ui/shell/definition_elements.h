@@ -5,11 +5,15 @@
 // definition itself, consent and arms, then every step or question.
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QWidget>
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "ui/shell/definition_form.h"
 
+class QLabel;
 class QListWidget;
 
 namespace placode::ui {
@@ -27,8 +31,12 @@ class DefinitionElements : public QWidget {
     /// As list and form have made it; null before the first follow().
     [[nodiscard]] const OrderedJson& definition() const { return definition_; }
     void chooseConsent();
+    /// Another definition is shown: what was removed from the last one does not belong into it.
+    void forgetRemoved();
     /// Is called after every change by hand.
     std::function<void()> changed;
+    /// Is asked before a button changes anything; false = nothing may be changed now.
+    std::function<bool()> ready;
 
  private:
     QWidget* listCard();
@@ -47,12 +55,22 @@ class DefinitionElements : public QWidget {
     void add();
     void moveBy(int by);
     void removeElement();
+    void putBack();
+    QWidget* removedRow();
+    void showRemoved();
+    /// The second click of two that were meant as one.
+    [[nodiscard]] bool clickedTwice() const;
 
     AppContext& context_;
     bool study_;
     OrderedJson definition_, consent_, arms_;
     QListWidget* list_ = nullptr;
     DefinitionForm* form_ = nullptr;
+    /// What was removed and where it stood, the last one at the end.
+    std::vector<std::pair<size_t, OrderedJson>> removed_;
+    QElapsedTimer since_removal_;
+    QWidget* removed_row_ = nullptr;
+    QLabel* removed_name_ = nullptr;
 };
 
 }  // namespace placode::ui

@@ -9,6 +9,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <algorithm>
+#include <utility>
 
 #include "db/study_conduct.h"
 #include "db/study_records.h"
@@ -32,6 +33,7 @@ class ParticipantPage : public Page {
         : Page(context),
           code_(place.text),
           preview_(place.state.value("preview").toString()),
+          unsaved_(place.state.value("unsaved").toBool()),
           questionnaire_(questionnaireOf(context, place)),
           study_(place.state.value("study", place.state.value("questionnaire"))
                      .toString()
@@ -67,18 +69,28 @@ class ParticipantPage : public Page {
                          {"second_of", QVariant::fromValue<qint64>(second_of_)},
                          {"version", questionnaire_.version},
                          {"paper", paper_},
-                         {"preview", preview_}};
+                         {"preview", preview_},
+                         {"unsaved", unsaved_}};
         given_.keepIn(kept);
         return kept;
     }
     [[nodiscard]] bool mayLeave() override {
-        if (submitted_ || given_.all().empty() || !preview_.isEmpty()) return true;
+        if (!preview_.isEmpty()) return mayLeavePreview();
+        if (submitted_ || given_.all().empty()) return true;
         return confirm(this, tr("Leave without submitting?"),
                        tr("The answers given so far are not saved."), tr("Leave"),
                        tr("Go on answering"));
     }
 
  private:
+    /// The answers are nobody's, but the text exists nowhere else. Back to its editor it is safe.
+    [[nodiscard]] bool mayLeavePreview() {
+        if (std::exchange(to_editor_, false) || !unsaved_) return true;
+        return confirm(this, tr("Leave without saving?"),
+                       tr("The text was changed and neither published nor exported."), tr("Leave"),
+                       tr("Stay here"));
+    }
+
     /// The text of an editor, the version that the store keeps, or what is shipped.
     static curriculum::Questionnaire questionnaireOf(AppContext& context, const Place& place) {
         const std::string preview = place.state.value("preview").toString().toStdString();
@@ -327,10 +339,18 @@ class ParticipantPage : public Page {
         });
     }
 
+    void leavePreview() {
+        to_editor_ = true;
+        Q_EMIT go({PageId::kProtocols,
+                   0,
+                   {},
+                   {{"kind", "questionnaire"}, {"text", preview_}, {"unsaved", unsaved_}}});
+    }
+
     /// Back to where the participant came from.
     void leave() {
         if (!preview_.isEmpty())
-            Q_EMIT go({PageId::kProtocols, 0, {}, {{"kind", "questionnaire"}, {"text", preview_}}});
+            leavePreview();
         else if (second_of_ != 0 || paper_)
             Q_EMIT go({PageId::kStudyData, 0, code_, {{"study", qstr(study_)}}});
         else if (rating_of_ != 0)
@@ -351,6 +371,7 @@ class ParticipantPage : public Page {
     QString code_;
     bool branching_seen_ = false, previewed_ = false;  ///< Of a preview.
     QString preview_;  ///< Text of a questionnaire that is being edited; empty = none.
+    bool unsaved_;     ///< That text stands nowhere else.
     curriculum::Questionnaire questionnaire_;
     std::string study_;
     int visit_ = 1;
@@ -364,6 +385,7 @@ class ParticipantPage : public Page {
     QStackedWidget* steps_ = nullptr;
     QLabel* message_ = nullptr;
     bool submitted_ = false;
+    bool to_editor_ = false;  ///< The preview is left for the editor with its text.
 };
 
 }  // namespace

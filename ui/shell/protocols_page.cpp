@@ -38,6 +38,10 @@ class ProtocolsPage : public Page {
         column->addWidget(status_);
         elements_ = new DefinitionElements(context, isStudy());
         elements_->changed = [this] { formChanged(); };
+        elements_->ready = [this] {
+            catchUp();
+            return readable_;
+        };
         column->addWidget(elements_);
         column->addWidget(jsonCard());
         column->addWidget(publishCard());
@@ -101,8 +105,10 @@ class ProtocolsPage : public Page {
             setText(textOf(chooser_->currentData().toString()));
         });
         row->addWidget(chooser_, 1);
-        title->addWidget(make_action(context_, this, tr("New"), "quiet", "plus", "definition_new",
-                                     [this] { setText(empty_definition(isStudy())); }));
+        title->addWidget(
+            make_action(context_, this, tr("New"), "quiet", "plus", "definition_new", [this] {
+                if (mayLeave()) setText(empty_definition(isStudy()));
+            }));
         return both;
     }
 
@@ -198,19 +204,31 @@ class ProtocolsPage : public Page {
         json_->setPlainText(text);
         filling_ = false;
         unsaved_ = false;
+        elements_->forgetRemoved();
         jsonChanged();
     }
 
-    /// The text leads: list and form follow where it can be read.
+    /// The text leads: list and form follow where it can be read. Where it cannot, they wait: they
+    /// hold what it was before, and one touch would write that over what was typed since.
     void jsonChanged() {
         const auto read = OrderedJson::parse(json_->toPlainText().toStdString(), nullptr, false);
+        readable_ = read.is_object();
+        elements_->setEnabled(readable_);
         check();
-        if (read.is_discarded() || !read.is_object()) return;
-        elements_->follow(read);
+        if (readable_) elements_->follow(read);
     }
 
-    /// The form leads: the text follows.
+    /// What was typed a moment ago is read now.
+    void catchUp() {
+        if (!timer_->isActive()) return;
+        timer_->stop();
+        jsonChanged();
+    }
+
+    /// The form leads: the text follows, unless it holds what the form does not know yet. Then the
+    /// timer reads it: made anew now, the form would take away the field that is speaking.
     void formChanged() {
+        if (timer_->isActive()) return;
         unsaved_ = true;
         filling_ = true;
         json_->setPlainText(qstr(elements_->definition().dump(2)));
@@ -234,7 +252,11 @@ class ProtocolsPage : public Page {
 
     void check() {
         const QString found = problem();
-        status_->setText(found.isEmpty() ? tr("No errors.") : found);
+        if (found.isEmpty())
+            status_->setText(tr("No errors."));
+        else
+            status_->setText(
+                readable_ ? found : tr("The form waits until the text can be read: %1").arg(found));
         status_->setProperty("role", found.isEmpty() ? "good" : "critical");
         status_->style()->unpolish(status_);
         status_->style()->polish(status_);
@@ -246,7 +268,10 @@ class ProtocolsPage : public Page {
         leaving_ = true;
         const std::string text = json_->toPlainText().toStdString();
         if (!isStudy()) {
-            Q_EMIT go({PageId::kParticipant, 0, {}, {{"preview", json_->toPlainText()}}});
+            Q_EMIT go({PageId::kParticipant,
+                       0,
+                       {},
+                       {{"preview", json_->toPlainText()}, {"unsaved", unsaved_}}});
             return;
         }
         while (QLayoutItem* item = preview_->takeAt(0)) {
@@ -259,7 +284,7 @@ class ProtocolsPage : public Page {
     }
 
     void publish() {
-        timer_->stop();
+        catchUp();
         context_.guard(tr("Publishing"), [&] {
             context_.require(db::Action::kRunQuestionnaire);
             db::DefinitionRecord record;
@@ -349,6 +374,7 @@ class ProtocolsPage : public Page {
     QVBoxLayout* preview_ = nullptr;
     QTimer* timer_ = nullptr;
     bool filling_ = false, unsaved_ = false, leaving_ = false;
+    bool readable_ = false;  ///< The text, when it was last read: it is one object.
 };
 
 }  // namespace

@@ -3939,6 +3939,18 @@
         <translation>Wyjść bez wysłania?</translation>
     </message>
     <message>
+        <source>Leave without saving?</source>
+        <translation>Wyjść bez zapisania?</translation>
+    </message>
+    <message>
+        <source>The text was changed and neither published nor exported.</source>
+        <translation>Tekst został zmieniony, a nie został ani opublikowany, ani wyeksportowany.</translation>
+    </message>
+    <message>
+        <source>Stay here</source>
+        <translation>Zostań tutaj</translation>
+    </message>
+    <message>
         <source>The answers given so far are not saved.</source>
         <translation>Dotychczasowe odpowiedzi nie są zapisane.</translation>
     </message>
@@ -8002,6 +8014,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Usuń</translation>
     </message>
     <message>
+        <source>Put it back</source>
+        <translation>Przywróć</translation>
+    </message>
+    <message>
+        <source>Removed: %1</source>
+        <translation>Usunięto: %1</translation>
+    </message>
+    <message>
         <source>As a file (JSON)</source>
         <translation>Jako plik (JSON)</translation>
     </message>
@@ -8052,6 +8072,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>No errors.</source>
         <translation>Brak błędów.</translation>
+    </message>
+    <message>
+        <source>The form waits until the text can be read: %1</source>
+        <translation>Formularz czeka, aż tekst da się odczytać: %1</translation>
     </message>
     <message>
         <source>Publishing</source>
