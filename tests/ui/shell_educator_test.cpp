@@ -215,6 +215,16 @@ void ShellEducatorTest::cohortAndPersonAreReportedOnPaper() {
     const auto trail = shell.owner().audit().trail(3);
     QCOMPARE(trail[0].action, std::string("report.cohort"));
     QCOMPARE(trail[0].object, "group " + std::to_string(group));
+    // Who is on another page before it is written has left an entry all the same.
+    shell.save_as = shell.path("cohort_left.pdf");
+    menu->actions()[0]->trigger();
+    shell.window().open({PageId::kAccount, 0, {}, {}});
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QVERIFY(QTest::qWaitFor([&] { return !shell.context().busy(); }, 30000));
+    QVERIFY(is_pdf(shell.save_as));
+    const auto later = shell.owner().audit().trail(1);
+    QCOMPARE(later[0].action, std::string("report.cohort"));
+    QCOMPARE(later[0].object, std::string("group 0"));
 }
 
 void ShellEducatorTest::standardComesFromTwoGroups() {

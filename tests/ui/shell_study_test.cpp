@@ -46,6 +46,7 @@ class ShellStudyTest : public QObject {
     void aProcedureIsDoneAgainForAReason();
     void coordinatorSeesWhereEveryoneStands();
     void reportAndExportComeOut();
+    void whatLeavesIsInTheTrailWhereverItsOwnerGoes();
 
  private:
     /// Answers whatever the questionnaire on the screen asks for, and submits.
@@ -57,6 +58,8 @@ class ShellStudyTest : public QObject {
     /// Starts the attempt of the step that is shown and ends it after that time [s].
     void noKeyBegins(const QString& name);
     void perform(double time_s = 0.5);
+    /// Presses it and is on another page before the work has ended; false when it does not end.
+    [[nodiscard]] bool pressAndLeave(const QString& name);
     /// Opens the shell anew and lets the coordinator go on with the only participant.
     void resume();
     /// An attempt in a shell opened anew, whose simulator ends before any instrument is at the
@@ -541,6 +544,63 @@ void ShellStudyTest::reportAndExportComeOut() {
     QVERIFY(press("study_report"));
     QVERIFY(shell.bannerSays("study.pdf", 60));
     QVERIFY(QFileInfo(shell.save_as).size() > 5000);
+}
+
+bool ShellStudyTest::pressAndLeave(const QString& name) {
+    ShellHarness& shell = *shell_;
+    auto* button = shell.find<QAbstractButton>(name);
+    if (button == nullptr || !button->isEnabled()) return false;
+    button->click();
+    if (!shell.context().busy()) return false;
+    shell.window().open({PageId::kAccount, 0, {}, {}});
+    // The page is gone before the end of the work can be heard.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    return QTest::qWaitFor([&] { return !shell.context().busy(); }, 60000);
+}
+
+void ShellStudyTest::whatLeavesIsInTheTrailWhereverItsOwnerGoes() {
+    ShellHarness& shell = *shell_;
+    db::NewUser eva;
+    eva.login = "eva";
+    eva.display_name = "Eva Es";
+    eva.password = "quiet river 8";
+    eva.roles = static_cast<db::Roles>(static_cast<int>(db::Role::kCoordinator) |
+                                       static_cast<int>(db::Role::kEducator));
+    shell.owner().accounts().create(eva);
+    QVERIFY(shell.signIn("eva", "quiet river 8"));
+    const auto trail = [&](const char* action) { return shell.owner().audit().of_action(action); };
+    const Place studies{PageId::kStudies, 0, {}, {{"study", kStudy}}};
+    shell.window().open(studies);
+    QVERIFY(shell.arrives(PageId::kStudies));
+    shell.save_as = shell.path("with_names");
+    QVERIFY(shell.type("identifying_reason", "the ethics board asks"));
+    const size_t exports = trail("export.csv").size();
+    QVERIFY(pressAndLeave("study_export"));
+    QVERIFY(!QDir(shell.exported()).entryList({"*.csv"}, QDir::Files).isEmpty());
+    QCOMPARE(trail("export.csv").size(), exports + 1);
+    const db::AuditRecord entry = trail("export.csv").back();
+    QVERIFY2(
+        entry.detail.find("; WITH IDENTIFYING FIELDS: the ethics board asks") != std::string::npos,
+        entry.detail.c_str());
+    QCOMPARE(entry.object, std::string("study ") + kStudy);
+    // The entry is there before the first file: also of an export that comes to nothing.
+    shell.window().open(studies);
+    QVERIFY(shell.arrives(PageId::kStudies));
+    shell.save_as = shell.path("study.pdf");  // no folder
+    QVERIFY(pressAndLeave("study_export"));
+    QCOMPARE(trail("export.csv").size(), exports + 2);
+    const size_t written = trail("report.study").size();
+    shell.window().open(studies);
+    QVERIFY(shell.arrives(PageId::kStudies));
+    shell.save_as = shell.path("left.pdf");
+    QVERIFY(pressAndLeave("study_report"));
+    QVERIFY(QFileInfo(shell.save_as).size() > 5000);
+    QCOMPARE(trail("report.study").size(), written + 1);
+    shell.window().open({PageId::kStudyResults, 0, {}, {{"study", kStudy}}});
+    QVERIFY(shell.arrives(PageId::kStudyResults));
+    shell.save_as = shell.path("figures");
+    QVERIFY(pressAndLeave("save_results"));
+    QCOMPARE(trail("report.figures").size(), size_t{1});
 }
 
 }  // namespace placode::ui

@@ -281,8 +281,9 @@ class CohortPage : public Page {
         context_.guard(tr("Exporting the cohort"), [&] {
             context_.require(db::Action::kViewPersonalData, db::Scope::kOther);
             const std::string csv = cohort_csv(people_);
-            reports::save_private_file(path.toStdString(), csv);
+            // Before the file: nothing leaves without its entry.
             context_.audit("export.cohort", "cohort", path);
+            reports::save_private_file(path.toStdString(), csv);
             Q_EMIT written(tr("Cohort written: %1").arg(path), path);
         });
     }

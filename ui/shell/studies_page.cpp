@@ -223,9 +223,10 @@ class StudiesPage : public Page {
                 reports::study_dataset(context_.store(), questionnaire_.id,
                                        {false, context_.language().toStdString()}),
                 reports::recordings_of(context_.store())};
+            // Before the first file: nothing leaves without its entry.
+            context_.audit(("export." + format).toUtf8().constData(), "study " + chosen_, folder);
             const auto files =
                 reports::export_dataset(source, format.toStdString(), folder.toStdString());
-            context_.audit(("export." + format).toUtf8().constData(), "study " + chosen_, folder);
             Q_EMIT written(tr("%n file(s), read back and compared with the store: %1", nullptr,
                               static_cast<int>(files.size()))
                                .arg(folder),

@@ -87,19 +87,22 @@ class StudyExports : public QWidget {
         auto count = std::make_shared<size_t>(0);
         context_.background(
             this, tr("Exporting the study"),
-            [study = study_, language = context_.language().toStdString(), format, folder, count,
-             named = !reason.isEmpty()](db::Store& store) {
+            [study = study_, language = context_.language().toStdString(),
+             format = format.toStdString(), folder = folder.toStdString(),
+             reason = reason.toStdString(), login = context_.user().login,
+             count](db::Store& store) {
                 const reports::ExportSource source{
-                    reports::study_dataset(store, study, {named, language}),
+                    reports::study_dataset(store, study, {!reason.empty(), language}),
                     reports::recordings_of(store)};
-                *count = reports::export_dataset(source, format.toStdString(), folder.toStdString())
-                             .size();
+                // Before the first file: nothing leaves without its entry, whatever becomes of the
+                // page.
+                store.audit().write(
+                    login, "export." + format, "study " + study,
+                    folder + (reason.empty() ? "" : "; WITH IDENTIFYING FIELDS: " + reason));
+                *count = reports::export_dataset(source, format, folder).size();
             },
-            [this, format, folder, count, reason](bool done) {
+            [this, folder, count](bool done) {
                 if (!done) return;
-                context_.audit(
-                    ("export." + format).toUtf8().constData(), "study " + qstr(study_),
-                    folder + (reason.isEmpty() ? "" : "; WITH IDENTIFYING FIELDS: " + reason));
                 Q_EMIT page_.written(tr("%n file(s), read back and compared with the store: %1",
                                         nullptr, static_cast<int>(*count))
                                          .arg(folder),
@@ -116,20 +119,17 @@ class StudyExports : public QWidget {
             return;
         context_.background(
             this, tr("Making the report"),
-            [study = study_, language = context_.language().toStdString(), path,
+            [study = study_, language = context_.language().toStdString(),
+             path = path.toStdString(), login = context_.user().login,
              context = &context_](db::Store& store) {
-                reports::write_study_pdf(
-                    reports::read_study_report(store, study, language), path.toStdString(),
-                    [context](const std::string& what) {
-                        Q_EMIT context->busyChanged(tr("Making the report: %1").arg(qstr(what)));
-                    });
+                const auto report = reports::read_study_report(store, study, language);
+                store.audit().write(login, "report.study", "study " + study, path);
+                reports::write_study_pdf(report, path, [context](const std::string& what) {
+                    Q_EMIT context->busyChanged(tr("Making the report: %1").arg(qstr(what)));
+                });
             },
             [this, path](bool done) {
-                if (!done || !context_.guard(tr("Writing the audit"), [&] {
-                        context_.audit("report.study", "study " + qstr(study_), path);
-                    }))
-                    return;
-                Q_EMIT page_.written(tr("Report written: %1").arg(path), path);
+                if (done) Q_EMIT page_.written(tr("Report written: %1").arg(path), path);
             });
     }
 

@@ -235,11 +235,15 @@ class StudyResultsPage : public Page {
         AppContext* context = &context_;
         context_.background(
             this, tr("Saving figures and tables"),
-            [=, report = report_, by = by_.toStdString()](db::Store& store) {
+            [=, report = report_, by = by_.toStdString(), study = study_,
+             login = context_.user().login](db::Store& store) {
                 const auto tell = [context](const QString& what) {
                     Q_EMIT context->busyChanged(tr("Saving: %1").arg(what));
                 };
                 const std::string path = folder.toStdString();
+                // Before the first file: nothing leaves without its entry, whatever becomes of the
+                // page.
+                store.audit().write(login, "report.figures", "study " + study, path);
                 tell(tr("Figures"));
                 *count = reports::write_study_figures(report, path).size();
                 for (const reports::Analysis& each :
@@ -253,10 +257,7 @@ class StudyResultsPage : public Page {
                 }
             },
             [this, folder, count](bool done) {
-                if (!done || !context_.guard(tr("Writing the audit"), [&] {
-                        context_.audit("report.figures", "study " + qstr(study_), folder);
-                    }))
-                    return;
+                if (!done) return;
                 Q_EMIT written(
                     tr("%n file(s) written: %1", nullptr, static_cast<int>(*count)).arg(folder),
                     folder);

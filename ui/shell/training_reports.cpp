@@ -23,8 +23,10 @@ struct TrainingReports {
 struct Wanted {
     QString file;
     const char* action;
-    QString object;
-    std::function<void(db::Store&, const std::string& path)> write;
+    std::string object;
+    /// Reads the report, calls `note`, and only then writes it.
+    std::function<void(db::Store&, const std::string& path, const std::function<void()>& note)>
+        write;
 };
 
 std::string now_utc() {
@@ -37,11 +39,13 @@ void write_report(AppContext& context, Page& page, const Wanted& wanted) {
     if (path.isEmpty()) return;
     context.background(
         &page, TrainingReports::tr("Writing the report"),
-        [write = wanted.write, path](db::Store& store) { write(store, path.toStdString()); },
-        [&context, &page, wanted, path](bool done) {
-            if (!done) return;
-            const auto note = [&] { context.audit(wanted.action, wanted.object, path); };
-            if (context.guard(TrainingReports::tr("Writing the audit"), note))
+        [wanted, path = path.toStdString(), login = context.user().login](db::Store& store) {
+            // On the worker: there is an entry also when the page is left meanwhile.
+            wanted.write(store, path,
+                         [&] { store.audit().write(login, wanted.action, wanted.object, path); });
+        },
+        [&page, path](bool done) {
+            if (done)
                 Q_EMIT page.written(TrainingReports::tr("Report written: %1").arg(path), path);
         });
 }
@@ -50,9 +54,11 @@ void write_cohort(AppContext& context, Page& page, int64_t group) {
     write_report(
         context, page,
         {group == 0 ? QString("placode-cohort.pdf") : QString("placode-cohort-%1.pdf").arg(group),
-         "report.cohort", QString("group %1").arg(group),
-         [group](db::Store& store, const std::string& path) {
-             reports::write_cohort_pdf(reports::read_cohort_report(store, group, now_utc()), path);
+         "report.cohort", "group " + std::to_string(group),
+         [group](db::Store& store, const std::string& path, const std::function<void()>& note) {
+             const auto report = reports::read_cohort_report(store, group, now_utc());
+             note();
+             reports::write_cohort_pdf(report, path);
          }});
 }
 
@@ -60,11 +66,13 @@ void write_trainee(AppContext& context, Page& page, int64_t account) {
     write_report(
         context, page,
         {QString("placode-person-%1.pdf").arg(account), "report.trainee",
-         QString("user %1").arg(account), [account](db::Store& store, const std::string& path) {
+         "user " + std::to_string(account),
+         [account](db::Store& store, const std::string& path, const std::function<void()>& note) {
              const auto user = store.accounts().find(account);
              if (!user) return;
-             reports::write_trainee_pdf(reports::read_trainee_report(store, *user, now_utc()),
-                                        path);
+             const auto report = reports::read_trainee_report(store, *user, now_utc());
+             note();
+             reports::write_trainee_pdf(report, path);
          }});
 }
 

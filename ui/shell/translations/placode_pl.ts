@@ -4345,10 +4345,6 @@
 <context>
     <name>ProtocolCard</name>
     <message>
-        <source>Writing the audit</source>
-        <translation>Zapis w dzienniku</translation>
-    </message>
-    <message>
         <source>%1 is enrolled</source>
         <translation>%1: uczestnik włączony</translation>
     </message>
@@ -8327,10 +8323,6 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 <context>
     <name>StudyResultsPage</name>
     <message>
-        <source>Writing the audit</source>
-        <translation>Zapis w dzienniku</translation>
-    </message>
-    <message>
         <source>Figures</source>
         <translation>Ryciny</translation>
     </message>
@@ -11492,10 +11484,6 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Writing the report</source>
         <translation>Zapis raportu</translation>
-    </message>
-    <message>
-        <source>Writing the audit</source>
-        <translation>Zapis w dzienniku</translation>
     </message>
     <message>
         <source>Report written: %1</source>
