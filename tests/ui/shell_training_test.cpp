@@ -59,6 +59,7 @@ class ShellTrainingTest : public QObject {
     void attemptsAreSeenSideBySide();
     void pinBringsBackToThePageThatWasLocked();
     void ownDataAreSavedAndErasureIsAskedAndDone();
+    void theCertificateWaitsForWhoLeftThePage();
 
  private:
     [[nodiscard]] bool runAttempt() {
@@ -513,6 +514,44 @@ void ShellTrainingTest::ownDataAreSavedAndErasureIsAskedAndDone() {
     QVERIFY(!shell.owner().accounts().find_login("nina").has_value());
     QCOMPARE(shell.owner().attempts().list(nina).size(), size_t{5});  // Nameless.
     QVERIFY(shell.fitsInBothSizes("79_erased"));
+}
+
+void ShellTrainingTest::theCertificateWaitsForWhoLeftThePage() {
+    ShellHarness& shell = *shell_;
+    const int64_t olga = shell.idOf("olga");
+    shell.owner().accounts().request_erasure(olga, "moves away");
+    // Beside the store, and nobody can look into it.
+    QFile copy(shell.path("placode.db.before-update-20260102T000000000Z"));
+    QVERIFY(copy.open(QIODevice::WriteOnly) && copy.write("no store any more") > 0);
+    copy.close();
+    shell.window().open({PageId::kAdmissions, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kAdmissions));
+    // On another page as soon as the work has begun.
+    QObject leaves;
+    QObject::connect(&shell.context(), &AppContext::busyChanged, &leaves, [&](const QString& what) {
+        if (!what.isEmpty() && shell.window().current() == PageId::kAdmissions)
+            shell.window().open({PageId::kAccount, 0, {}, {}});
+    });
+    shell.confirmNext();
+    QVERIFY(shell.click(shell.find<QPushButton>("erase_0") != nullptr ? "erase_0" : "erase_1"));
+    QVERIFY(shell.arrives(PageId::kAccount));
+    QVERIFY(QTest::qWaitFor([&] { return !shell.context().busy(); }, 30000));
+    QVERIFY(!shell.owner().accounts().find_login("olga").has_value());
+    QVERIFY(shell.bannerSays("Olga Zet was erased; the certificate can be saved."));
+    QVERIFY(shell.bannerSays("Copies that may still hold the person: 1."));
+    QVERIFY(shell.click("banner_offer"));
+    QVERIFY(shell.arrives(PageId::kAdmissions));
+    const auto* left = shell.find<QLabel>("erasure_left");
+    QVERIFY(left->isVisibleTo(&shell.window()) && left->text().contains("before-update"));
+    shell.save_as = shell.path("olga.txt");
+    QVERIFY(shell.find<QPushButton>("erasure_certificate")->isVisibleTo(&shell.window()));
+    QVERIFY(shell.click("erasure_certificate"));
+    QVERIFY(shell.bannerSays("Certificate written"));
+    QFile certificate(shell.save_as);
+    QVERIFY(certificate.open(QIODevice::ReadOnly));
+    const QByteArray text = certificate.readAll();
+    QVERIFY(text.contains("account " + QByteArray::number(static_cast<qlonglong>(olga)) + " "));
+    QVERIFY(text.contains("before-update"));
 }
 
 }  // namespace placode::ui

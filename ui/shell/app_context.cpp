@@ -125,6 +125,15 @@ void AppContext::audit(const char* action, const QString& object, const QString&
                           detail.toStdString());
 }
 
+const db::Erasure* AppContext::lastErasure() const {
+    const auto found = erasures_.find(store_url_);
+    return found == erasures_.end() ? nullptr : &found->second;
+}
+
+void AppContext::keepErasure(const std::string& store_url, const db::Erasure& erasure) {
+    erasures_[store_url] = erasure;
+}
+
 void AppContext::setTheme(ThemeKind theme) {
     if (theme == theme_) return;
     theme_ = theme;

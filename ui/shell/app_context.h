@@ -18,6 +18,7 @@
 
 #include "curriculum/task.h"
 #include "db/access.h"
+#include "db/erasure.h"
 #include "db/store.h"
 #include "ui/shell/attempt_launcher.h"
 #include "ui/shell/attempt_order.h"
@@ -123,6 +124,11 @@ class AppContext : public QObject {
     /// For what the store does not write into the audit trail by itself.
     void audit(const char* action, const QString& object, const QString& detail = {});
 
+    /// The last erasure in the store that is open since Placode was started; nullptr = none. Its
+    /// certificate, and the copies that may still hold the person, are told nowhere else.
+    [[nodiscard]] const db::Erasure* lastErasure() const;
+    void keepErasure(const std::string& store_url, const db::Erasure& erasure);
+
     [[nodiscard]] ThemeKind theme() const { return theme_; }
     [[nodiscard]] const Tokens& colors() const { return tokens(theme_); }
     void setTheme(ThemeKind theme);
@@ -184,6 +190,8 @@ class AppContext : public QObject {
     void appearanceChanged();  ///< Theme or language: rebuild what is shown.
     void problemReported(const placode::ui::Problem& problem);
     void busyChanged(const QString& what);  ///< Empty: nothing is running.
+    /// On whatever page its administrator is by then. Done: it is lastErasure().
+    void erasureEnded(const QString& name, bool done);
 
  private:
     [[nodiscard]] bool openStore(const db::StoreOptions& options);
@@ -209,7 +217,8 @@ class AppContext : public QObject {
     QString session_note_;
     QElapsedTimer session_asked_;
     QTimer session_watch_;
-    std::set<QString> saving_;  ///< Recordings on their way into the store.
+    std::set<QString> saving_;                     ///< Recordings on their way into the store.
+    std::map<std::string, db::Erasure> erasures_;  ///< The last one, by store.
     int lock_after_s_ = 600;
     struct PasswordGiven {
         QString login;  ///< Folded.

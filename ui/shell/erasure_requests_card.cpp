@@ -38,7 +38,10 @@ ErasureRequestsCard::ErasureRequestsCard(AppContext& context, Page& page)
     certificate_->hide();
     connect(certificate_, &QPushButton::clicked, this, [this] { saveCertificate(); });
     layout->addWidget(certificate_, 0, Qt::AlignLeft);
+    connect(&context_, &AppContext::erasureEnded, this,
+            [this](const QString& name, bool done) { erased(name, done); });
     showRequests();
+    showLast();
 }
 
 void ErasureRequestsCard::showRequests() {
@@ -94,39 +97,50 @@ void ErasureRequestsCard::erase(int64_t id, const QString& name) {
     });
     if (!may) return;
     const auto erasure = std::make_shared<db::Erasure>();
+    // The context hears of the end: this page may have been left, and nothing can tell it again.
     context_.background(
-        this, tr("Erasing the person"),
+        &context_, tr("Erasing the person"),
         [erasure, id, attempts, url = context_.storeUrl()](db::Store& store) {
             *erasure = db::erase_person(store, url, id, attempts);
         },
-        [this, erasure, name](bool done) {
-            showRequests();
-            if (done) erased(*erasure, name);
+        [context = &context_, erasure, name, url = context_.storeUrl()](bool done) {
+            if (done) context->keepErasure(url, *erasure);
+            Q_EMIT context->erasureEnded(name, done);
         });
 }
 
-void ErasureRequestsCard::erased(const db::Erasure& erasure, const QString& name) {
-    erasure_ = erasure;
+void ErasureRequestsCard::erased(const QString& name, bool done) {
+    // Where the session ended meanwhile there is no list, and the next page says why.
+    (void)context_.problemOf([this] { showRequests(); });
+    showLast();
+    const db::Erasure* last = context_.lastErasure();
+    if (!done || last == nullptr) return;
     QString said = tr("%1 was erased.").arg(name);
-    if (!erasure.cleaned.empty())
-        said +=
-            ' ' + tr("Backups and other copies cleaned as well: %1.").arg(erasure.cleaned.size());
-    QStringList left;
-    for (const db::LeftCopy& each : erasure.left) left << qstr(each.path);
-    left_->setText(tr("These copies may still hold the person; delete them:") + '\n' +
-                   left.join('\n'));
-    left_->setVisible(!left.isEmpty());
-    certificate_->show();
+    if (!last->cleaned.empty())
+        said += ' ' + tr("Backups and other copies cleaned as well: %1.").arg(last->cleaned.size());
     Q_EMIT page_.notice(said);
 }
 
+void ErasureRequestsCard::showLast() {
+    const db::Erasure* last = context_.lastErasure();
+    QStringList left;
+    if (last != nullptr)
+        for (const db::LeftCopy& each : last->left) left << qstr(each.path);
+    left_->setText(tr("These copies may still hold the person; delete them:") + '\n' +
+                   left.join('\n'));
+    left_->setVisible(!left.isEmpty());
+    certificate_->setVisible(last != nullptr);
+}
+
 void ErasureRequestsCard::saveCertificate() {
+    if (context_.lastErasure() == nullptr) return;
+    const db::Erasure erasure = *context_.lastErasure();
     const QString path = context_.askSaveFile(
         &page_, tr("Save the certificate of erasure"),
-        QString("placode-erasure-%1.txt").arg(erasure_.user_id), tr("Text (*.txt)"));
+        QString("placode-erasure-%1.txt").arg(erasure.user_id), tr("Text (*.txt)"));
     if (path.isEmpty()) return;
     context_.guard(tr("Writing the certificate"), [&] {
-        reports::save_file(path.toStdString(), db::erasure_certificate(erasure_));
+        reports::save_file(path.toStdString(), db::erasure_certificate(erasure));
         Q_EMIT page_.written(tr("Certificate written: %1").arg(path), path);
     });
 }

@@ -5,7 +5,6 @@
 
 #include <QFrame>
 
-#include "db/erasure.h"
 #include "ui/shell/pages.h"
 
 class QCheckBox;
@@ -24,14 +23,14 @@ class ErasureRequestsCard : public QFrame {
  private:
     void showRequests();
     void erase(int64_t id, const QString& name);
-    void erased(const db::Erasure& erasure, const QString& name);
+    void erased(const QString& name, bool done);
+    void showLast();
     void saveCertificate();
 
     AppContext& context_;
     Page& page_;
     QTableWidget* requests_ = nullptr;
     QCheckBox* with_attempts_ = nullptr;
-    db::Erasure erasure_;  ///< The last one.
     QLabel *left_ = nullptr, *none_ = nullptr;
     QPushButton* certificate_ = nullptr;
 };

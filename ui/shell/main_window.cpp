@@ -30,6 +30,7 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
     connect(&context, &AppContext::problemReported, this,
             [this](const Problem& problem) { notices_->showProblem(problem); });
     connect(&context, &AppContext::busyChanged, notices_, &Notices::showBusy);
+    connect(&context, &AppContext::erasureEnded, this, &MainWindow::onErasureEnded);
     connect(&context.launcher(), &AttemptLauncher::ended, this, &MainWindow::onAttemptEnded);
     connect(&context.replays(), &ReplayQueue::checked, this, &MainWindow::onReplayed);
     watchWaiting();
@@ -197,6 +198,20 @@ void MainWindow::announce(const QString& text, const QString& written) {
         QMetaObject::invokeMethod(this, show, Qt::QueuedConnection);
     };
     QMetaObject::invokeMethod(this, queue, Qt::QueuedConnection);
+}
+
+void MainWindow::onErasureEnded(const QString& name, bool done) {
+    const db::Erasure* last = context_.lastErasure();
+    const bool told = place_.page == PageId::kAdmissions;  // by the page itself
+    if (!done || told || last == nullptr || handedOver() ||
+        !context_.may(db::Action::kManageUsers, db::Scope::kOther))
+        return;
+    QString text = tr("%1 was erased; the certificate can be saved.").arg(name);
+    if (!last->left.empty())
+        text += ' ' + tr("Copies that may still hold the person: %1.").arg(last->left.size());
+    notices_->showNotice(text, {tr("Look at it"), [this] {
+                                    open({PageId::kAdmissions, 0, {}, {}});
+                                }});
 }
 
 void MainWindow::showRetry(const QString& text, const std::function<void()>& again) {

@@ -88,6 +88,8 @@ class MainWindow : public QMainWindow {
     void watchWaiting();
     void onWaitingSaved(const AttemptOrder& order, qint64 attempt_id);
     void showWaitingCount();
+    /// Whoever began it is on another page than the one with its list and certificate.
+    void onErasureEnded(const QString& name, bool done);
     void openSearch();
     /// The time to the lock begins anew.
     void touched();

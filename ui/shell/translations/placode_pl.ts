@@ -6669,6 +6669,14 @@
         <translation>Próby niedokończone lub niezapisane: %1.</translation>
     </message>
     <message>
+        <source>%1 was erased; the certificate can be saved.</source>
+        <translation>Usunięto: %1; można zapisać zaświadczenie.</translation>
+    </message>
+    <message>
+        <source>Copies that may still hold the person: %1.</source>
+        <translation>Kopie, które mogą jeszcze zawierać dane tej osoby: %1.</translation>
+    </message>
+    <message>
         <source>Look at it</source>
         <translation>Zobacz</translation>
     </message>
