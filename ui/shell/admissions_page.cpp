@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <memory>
 
 #include "reports/people_file.h"
 #include "ui/shell/day_text.h"
@@ -138,10 +139,14 @@ class AdmissionsPage : public Page {
                "group and password. The whole file is checked before the first account is made. "
                "Passwords that are missing are made and written into a file of your choice."),
             "muted"));
-        QPushButton* load = make_button(context_, tr("Choose the file"), "secondary", "people");
-        load->setObjectName("import_people");
-        connect(load, &QPushButton::clicked, this, [this] { importList(); });
-        layout->addWidget(load, 0, Qt::AlignLeft);
+        load_ = make_button(context_, tr("Choose the file"), "secondary", "people");
+        load_->setObjectName("import_people");
+        connect(load_, &QPushButton::clicked, this, [this] { importList(); });
+        layout->addWidget(load_, 0, Qt::AlignLeft);
+        // It may be a list that this page was left with: the same people a second time would get
+        // passwords that are nobody's.
+        load_->setEnabled(!context_.busy());
+        context_.whenIdle(load_, [this] { load_->setEnabled(true); });
         return make_card(layout);
     }
 
@@ -165,15 +170,29 @@ class AdmissionsPage : public Page {
                 if (out.isEmpty()) return;
                 reports::save_passwords(out.toStdString(), made);
             }
-            const size_t count =
-                reports::make_accounts(context_.store(), people, path.toStdString());
-            Q_EMIT notice(tr("Added people: %1.").arg(count));
+            makeAccounts(std::move(people), path.toStdString());
         });
+    }
+
+    /// On a worker: each password is hashed, which takes its time on purpose.
+    void makeAccounts(std::vector<reports::PersonLine> people, const std::string& origin) {
+        load_->setEnabled(false);
+        auto count = std::make_shared<size_t>(0);
+        context_.background(
+            this, tr("Taking in the list"),
+            [count, people = std::move(people), origin](db::Store& store) {
+                *count = reports::make_accounts(store, people, origin);
+            },
+            [this, count](bool done) {
+                load_->setEnabled(true);
+                if (done) Q_EMIT notice(tr("Added people: %1.").arg(*count));
+            });
     }
 
     QLineEdit *note_ = nullptr, *code_ = nullptr;
     QComboBox *role_ = nullptr, *group_ = nullptr;
     QDateEdit* until_ = nullptr;
+    QPushButton* load_ = nullptr;
     QTableWidget* invitations_ = nullptr;
 };
 
