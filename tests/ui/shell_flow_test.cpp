@@ -36,6 +36,7 @@ class ShellFlowTest : public QObject {
     void traineeCannotOpenWhatIsNotHis();
     void coordinatorRunsAParticipantAndExports();
     void questionnaireKeepsAnswersWhenTheLanguageChanges();
+    void submittedAnswersAreSavedOnceWhenTheLanguageChanges();
     void administratorChecksBacksUpAndReadsTheAudit();
     void deactivatedPersonCannotSignIn();
     void everyControlCanBeReachedAndIsNamed();
@@ -219,6 +220,36 @@ void ShellFlowTest::questionnaireKeepsAnswersWhenTheLanguageChanges() {
     QVERIFY(shell.arrives(PageId::kStudies));
     shell.context().setLanguage("en");
     QCOMPARE(shell.owner().studies().answers("face_validity").size(), size_t{3});
+}
+
+// Built anew, the page began at the filled questionnaire, and Submit saved it a second time.
+void ShellFlowTest::submittedAnswersAreSavedOnceWhenTheLanguageChanges() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("new_participant"));
+    QVERIFY(shell.arrives(PageId::kParticipant));
+    const auto asked = curriculum::load_questionnaire("face_validity");
+    for (const auto& item : asked.items)
+        if (item.kind == curriculum::ItemKind::kLikert)
+            shell.find<QRadioButton>(QString("answer_%1_4").arg(item.id.c_str()))->click();
+    QVERIFY(shell.click("review"));
+    QVERIFY(shell.click("submit_answers"));
+    QVERIFY(shell.find<QPushButton>("participant_done") != nullptr);
+    const size_t saved = shell.owner().studies().answers("face_validity").size();
+    QCOMPARE(saved, size_t{4});
+    shell.context().setLanguage("pl");
+    QVERIFY(shell.arrives(PageId::kParticipant));
+    QVERIFY(shell.find<QPushButton>("review") == nullptr);
+    QVERIFY(shell.find<QPushButton>("submit_answers") == nullptr);
+    const auto* done = shell.find<QPushButton>("participant_done");
+    QVERIFY(done != nullptr && done->isVisibleTo(shell.window().page()));
+    shell.context().setTheme(ThemeKind::kDark);
+    QVERIFY(shell.find<QPushButton>("participant_done") != nullptr);
+    shell.context().setTheme(ThemeKind::kLight);
+    shell.context().setLanguage("en");
+    QCOMPARE(shell.owner().studies().answers("face_validity").size(), saved);
+    shell.takeBackNext("first password");
+    QVERIFY(shell.click("participant_done"));
+    QVERIFY(shell.arrives(PageId::kStudies));
 }
 
 void ShellFlowTest::administratorChecksBacksUpAndReadsTheAudit() {

@@ -42,7 +42,8 @@ class ParticipantPage : public Page {
           run_(place.state.value("run").toBool()),
           rating_of_(place.state.value("rating_of").toLongLong()),
           second_of_(place.state.value("second_of").toLongLong()),
-          paper_(place.state.value("paper").toBool()) {
+          paper_(place.state.value("paper").toBool()),
+          submitted_(place.state.value("submitted").toBool()) {
         if (rating_of_ != 0)
             context.require(db::Action::kViewAttempts, db::Scope::kOther);
         else
@@ -52,7 +53,11 @@ class ParticipantPage : public Page {
         layout->setContentsMargins(0, 0, 0, 0);
         steps_ = new QStackedWidget;
         layout->addWidget(steps_);
-        steps_->addWidget(answerStep());
+        // Saved once: built anew in another language, the answers must not be there to send again.
+        if (submitted_)
+            showThanks();
+        else
+            steps_->addWidget(answerStep());
     }
 
     [[nodiscard]] QString title() const override {
@@ -70,8 +75,9 @@ class ParticipantPage : public Page {
                          {"version", questionnaire_.version},
                          {"paper", paper_},
                          {"preview", preview_},
-                         {"unsaved", unsaved_}};
-        given_.keepIn(kept);
+                         {"unsaved", unsaved_},
+                         {"submitted", submitted_}};
+        if (!submitted_) given_.keepIn(kept);
         return kept;
     }
     [[nodiscard]] bool mayLeave() override {
@@ -384,7 +390,7 @@ class ParticipantPage : public Page {
     std::map<std::string, QLabel*> headings_, missing_;
     QStackedWidget* steps_ = nullptr;
     QLabel* message_ = nullptr;
-    bool submitted_ = false;
+    bool submitted_ = false;  ///< Saved: what follows is thanks.
     bool to_editor_ = false;  ///< The preview is left for the editor with its text.
 };
 
