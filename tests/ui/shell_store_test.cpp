@@ -4,6 +4,7 @@
 // that cannot be saved is copied elsewhere.
 
 #include <QProcess>
+#include <QRadioButton>
 
 #include "page_fit.h"
 #include "shell_harness.h"
@@ -22,6 +23,7 @@ class ShellStoreTest : public QObject {
     void theRolesOfAPersonAreChanged();
     void aSessionEndsWhenItsRolesAreOthers();
     void aSessionEndsWhenItsAccountIsClosed();
+    void whatAParticipantAnsweredOutlivesTheSession();
     void aRecordingIsCopiedElsewhereAndNeverOverItself();
 
  private:
@@ -40,6 +42,8 @@ class ShellStoreTest : public QObject {
     }
     /// A page is opened after the store was last asked who may be here.
     [[nodiscard]] bool isSentToSignIn(const QString& because);
+    /// The coordinator's roles, changed from another computer: the session ends by itself.
+    void sessionEndsWith(db::Roles roles);
     /// Some seconds of an attempt that nobody has saved. Returns the recording.
     [[nodiscard]] QString leftover();
 
@@ -179,6 +183,40 @@ void ShellStoreTest::aSessionEndsWhenItsAccountIsClosed() {
     elsewhere()->accounts().set_active(shell_->idOf("demo.trainee"), false);
     QVERIFY2(isSentToSignIn("Your account was closed"), qPrintable(shell_->text("login_note")));
     QVERIFY(!shell_->signIn("demo.trainee", "placode-demo"));
+}
+
+void ShellStoreTest::sessionEndsWith(db::Roles roles) {
+    elsewhere()->accounts().set_roles(shell_->idOf("demo.coordinator"), roles);
+    AppContext& context = shell_->context();
+    QVERIFY(QTest::qWaitFor([&] { return !context.signedIn() || !context.sessionStands(); }, 5000));
+    QVERIFY(shell_->arrives(PageId::kLogin));
+    QVERIFY(shell_->text("login_note").contains("Your roles were changed"));
+    QVERIFY(shell_->find<QRadioButton>("answer_sus02_3") == nullptr);
+}
+
+// The answers of somebody who had nothing to do with it were gone.
+void ShellStoreTest::whatAParticipantAnsweredOutlivesTheSession() {
+    const auto role = [](db::Role each) { return static_cast<db::Roles>(each); };
+    QVERIFY(shell_->signIn("demo.coordinator", "placode-demo"));
+    shell_->window().open({PageId::kStudies, 0, "sus", {}});
+    QVERIFY(shell_->arrives(PageId::kStudies));
+    QVERIFY(shell_->click("new_participant"));
+    QVERIFY(shell_->arrives(PageId::kParticipant));
+    shell_->find<QRadioButton>("answer_sus02_3")->click();
+    sessionEndsWith(role(db::Role::kCoordinator) | role(db::Role::kEducator));
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(shell_->signIn("demo.coordinator", "placode-demo"));
+    QVERIFY(shell_->arrives(PageId::kParticipant));
+    QVERIFY(shell_->find<QRadioButton>("answer_sus02_3")->isChecked());
+    const auto* rail = shell_->find<QToolButton>("rail_studies");
+    QVERIFY2(rail != nullptr && !rail->isVisible(), "the screen is the participant's still");
+    // Rights that do not reach it any more open another page, without a word of refusal.
+    sessionEndsWith(role(db::Role::kEducator));
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(shell_->signIn("demo.coordinator", "placode-demo"));
+    QVERIFY(shell_->arrives(PageId::kAttempts));
+    QVERIFY(!shell_->window().banner().text().contains("may not"));
+    QVERIFY(shell_->find<QRadioButton>("answer_sus02_3") == nullptr);
 }
 
 QString ShellStoreTest::leftover() {

@@ -186,6 +186,8 @@ class AppContext : public QObject {
     void report(const Problem& problem) { Q_EMIT problemReported(problem); }
 
  Q_SIGNALS:
+    /// Not by its owner's wish: who is signed in still is, and userChanged follows.
+    void sessionEnds();
     void userChanged();
     void appearanceChanged();  ///< Theme or language: rebuild what is shown.
     void problemReported(const placode::ui::Problem& problem);

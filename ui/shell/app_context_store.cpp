@@ -168,6 +168,7 @@ void AppContext::endSession() {
     if (QApplication::activeModalWidget() != nullptr ||
         QApplication::activePopupWidget() != nullptr)
         return QTimer::singleShot(kAfterDialogMs, this, &AppContext::endSession);
+    Q_EMIT sessionEnds();
     user_.reset();
     if (store_) store_->sign_out();
     Q_EMIT userChanged();

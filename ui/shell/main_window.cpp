@@ -8,7 +8,6 @@
 #include <QShortcut>
 #include <QToolButton>
 
-#include "ui/shell/diagnostics_dialog.h"
 #include "ui/shell/handover.h"
 #include "ui/shell/help_window.h"
 #include "ui/shell/parts.h"
@@ -26,6 +25,7 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
     buildFrame();
     notices_->setStrip([this] { return barStrip(); });
     connect(&context, &AppContext::appearanceChanged, this, &MainWindow::rebuild);
+    connect(&context, &AppContext::sessionEnds, this, &MainWindow::keepPlace);
     connect(&context, &AppContext::userChanged, this, &MainWindow::onUserChanged);
     connect(&context, &AppContext::problemReported, this,
             [this](const Problem& problem) { notices_->showProblem(problem); });
@@ -73,12 +73,7 @@ void MainWindow::begin() {
 
 void MainWindow::rebuild() {
     setLocale(QLocale());  // Dates and numbers of what is built next speak the new language.
-    Place here = place_;
-    QVariantMap typed;
-    if (page_) {
-        here.state = page_->state();
-        typed = typed_texts(*page_);
-    }
+    const Kept here = whatIsShown();
     // The old frame lives on for a moment: it may hold the very button that was pressed.
     QWidget* old = takeCentralWidget();
     old->hide();
@@ -86,31 +81,24 @@ void MainWindow::rebuild() {
     buildFrame();
     notices_->restyle();
     if (context_.storeIsOpen()) {
-        showPlace(here);
-        if (page_) type_again(*page_, typed);
+        showAgain(here);
     } else {
         begin();
     }
 }
 
-void MainWindow::onUserChanged() {
-    trail_.clear();
-    notices_->closeAll();  // They were for whoever was here before.
-    buildFrame();
-    if (!context_.signedIn()) {
-        const QString note =
-            locked_user_ != 0 ? tr("Locked after a time without a touch. Come back where you were.")
-                              : context_.sessionNote();
-        return showPlace({PageId::kLogin, 0, {}, {{"note", note}}});
+MainWindow::Kept MainWindow::whatIsShown() const {
+    Kept shown{place_, {}};
+    if (page_) {
+        shown.place.state = page_->state();
+        shown.typed = typed_texts(*page_);
     }
-    const bool back = context_.user().id == locked_user_;
-    locked_user_ = 0;
-    showPlace(back ? locked_place_ : lastPlace());
-    if (back && page_) type_again(*page_, locked_typed_);
-    locked_typed_.clear();
-    offerLeftovers();
-    if (!handedOver()) offer_crash_report(context_, *notices_, this);
-    context_.verifyAttempts();  // What the last session did not come to.
+    return shown;
+}
+
+void MainWindow::showAgain(const Kept& kept) {
+    showPlace(kept.place);
+    if (page_) type_again(*page_, kept.typed);
 }
 
 Place MainWindow::home() const {
@@ -169,6 +157,10 @@ void MainWindow::showPlace(const Place& place) {
         });
         return;
     }
+    showPage(made);
+}
+
+void MainWindow::showPage(Page* made) {
     // Focus that was on the old page goes to the new one: left alone, it would fall on the first
     // button of the rail and look like the page that is open.
     const QWidget* focus = focusWidget();

@@ -66,11 +66,20 @@ class MainWindow : public QMainWindow {
     /// False: something would be lost, and who is asked stays.
     [[nodiscard]] bool maySignOut();
     void rebuild();
+    /// A page, with what was typed into it and is not saved.
+    struct Kept {
+        Place place;
+        QVariantMap typed;
+    };
+    [[nodiscard]] Kept whatIsShown() const;
+    void showAgain(const Kept& kept);
     /// A participant is at the screen: no rail, no search, no other page without the password.
     [[nodiscard]] bool handedOver() const;
     /// False keeps the screen with the participant.
     [[nodiscard]] bool mayTakeBack();
     void showPlace(const Place& place);
+    /// In place of the page before. @param made of place_.
+    void showPage(Page* made);
     void showRetry(const QString& text, const std::function<void()>& again);
     /// A way out below it: the store that was chosen is another computer's, and that may be gone.
     void offerOwnStore(const std::function<void()>& again);
@@ -96,6 +105,10 @@ class MainWindow : public QMainWindow {
     /// Back to log-in; who comes back as the same person is where he was. Not while an attempt
     /// runs, nor while a participant is at the screen.
     void lock();
+    /// For whoever is signed in still and is sent to log-in next.
+    void keepPlace();
+    /// False: the rights of who has signed in do not reach that page any more.
+    [[nodiscard]] bool comesBack(const Kept& kept);
     [[nodiscard]] bool closesNotice(QObject* object, QEvent* event);
     /// Enter that was held to end an attempt is still down when this window is in front again.
     [[nodiscard]] bool isLeftOverKey(QEvent* event);
@@ -134,9 +147,8 @@ class MainWindow : public QMainWindow {
     QTimer idle_;
     QTimer attempt_ended_;    ///< Runs for a moment after the end of an attempt.
     QElapsedTimer held_key_;  ///< Valid: a key may still be down. Since it was heard of last.
-    Place locked_place_;
-    QVariantMap locked_typed_;  ///< For whoever was locked out, and nobody else.
-    int64_t locked_user_ = 0;
+    Kept kept_;
+    int64_t kept_for_ = 0;  ///< Whoever was sent to log-in, and nobody else; 0 = nobody.
 };
 
 }  // namespace placode::ui

@@ -10,7 +10,9 @@
 #include <QKeyEvent>
 #include <QScrollBar>
 #include <QWindow>
+#include <utility>
 
+#include "ui/shell/diagnostics_dialog.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/typed_texts.h"
@@ -115,19 +117,67 @@ void MainWindow::lock() {
         idle_.start(kAfterQuestionMs);
         return;
     }
-    locked_place_ = place_;
-    locked_typed_.clear();
-    if (page_) {
-        locked_place_.state = page_->state();
-        locked_typed_ = typed_texts(*page_);
-    }
-    locked_user_ = context_.user().id;
+    keepPlace();
     context_.setStoreSetting("last_login", qstr(context_.user().login));
     // Locked in any case, also when the store cannot be written.
     context_.guard(tr("Writing the audit"), [this] {
         context_.audit("session.lock", QString("user %1").arg(context_.user().id));
     });
     context_.signOut();
+}
+
+void MainWindow::keepPlace() {
+    kept_ = whatIsShown();
+    kept_for_ = context_.user().id;
+}
+
+bool MainWindow::comesBack(const Kept& kept) {
+    Place place = kept.place;
+    // An attempt goes on without its owner, and may have ended meanwhile.
+    const AttemptOrder& order = context_.launcher().order();
+    if (place.page == PageId::kRunning && !context_.launcher().running() &&
+        !context_.isBeingSaved(order.recording_file))
+        place = isMine(order) ? placeOf(order) : home();
+    Page* made = nullptr;
+    bool refused = false;
+    const auto problem = context_.problemOf([&] {
+        try {
+            made = make_page(context_, place);
+        } catch (const db::StoreError& error) {
+            refused = error.kind() == db::StoreError::Kind::kRefused;
+            if (!refused) throw;
+        }
+    });
+    if (refused) return false;
+    if (problem) {
+        showAgain({place, kept.typed});  // Says what is wrong, and offers to try again.
+        return true;
+    }
+    place_ = place;
+    showPage(made);
+    type_again(*made, kept.typed);
+    return true;
+}
+
+void MainWindow::onUserChanged() {
+    trail_.clear();
+    notices_->closeAll();  // They were for whoever was here before.
+    buildFrame();
+    if (!context_.signedIn()) {
+        QString note = context_.sessionNote();
+        if (note.isEmpty() && kept_for_ != 0)
+            note = tr("Locked after a time without a touch. Come back where you were.");
+        return showPlace({PageId::kLogin, 0, {}, {{"note", note}}});
+    }
+    const bool back = context_.user().id == std::exchange(kept_for_, 0);
+    const Kept kept = std::exchange(kept_, {});
+    if (!back || !comesBack(kept)) showPlace(lastPlace());
+    // Of a participant whose screen came back nothing is asked that is the coordinator's.
+    if (!handedOver()) {
+        offerLeftovers();
+        offer_crash_report(context_, *notices_, this);
+    }
+    context_.verifyAttempts();  // What the last session did not come to.
 }
 
 // What is unsaved on the page asks by itself; an attempt goes on, but its owner must not lose sight
