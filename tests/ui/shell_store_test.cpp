@@ -25,6 +25,7 @@ class ShellStoreTest : public QObject {
     void aSessionEndsWhenItsAccountIsClosed();
     void whatAParticipantAnsweredOutlivesTheSession();
     void aRecordingIsCopiedElsewhereAndNeverOverItself();
+    void aPageStaysAsLongAsItsQuestion();
 
  private:
     [[nodiscard]] QString file() const { return shell_->path("placode.db"); }
@@ -255,6 +256,38 @@ void ShellStoreTest::aRecordingIsCopiedElsewhereAndNeverOverItself() {
     QVERIFY(shell_->click("recover_copy_0"));
     QVERIFY(shell_->bannerSays("Recording copied"));
     QVERIFY(bytes(shell_->save_as) == was && bytes(recording) == was);
+}
+
+// What was begun before ended under a question that lay on the stack, and took its page away.
+void ShellStoreTest::aPageStaysAsLongAsItsQuestion() {
+    QVERIFY(!leftover().isEmpty());
+    QVERIFY(!leftover().isEmpty());
+    QVERIFY(shell_->signIn("demo.trainee", "placode-demo"));
+    shell_->window().open({PageId::kRecovery, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kRecovery));
+    auto* save = shell_->find<QPushButton>("recover_save_0");
+    auto* remove = shell_->find<QPushButton>("recover_delete_1");
+    QVERIFY(save != nullptr && remove != nullptr);
+    const QPointer<Page> page = shell_->window().page();
+    bool stood = false;
+    int looks = 0;
+    QTimer answer;
+    connect(&answer, &QTimer::timeout, &answer, [&] {
+        QWidget* question = QApplication::activeModalWidget();
+        if (question == nullptr || shell_->context().busy()) return;
+        if (++looks < 10) return;  // Saved; time enough for the page to go.
+        answer.stop();
+        stood = page && shell_->window().page() == page;
+        QTest::mouseClick(question->findChild<QPushButton*>("confirm_no"), Qt::LeftButton);
+    });
+    answer.start(50);
+    save->click();
+    remove->click();  // Comes back when the question is answered.
+    QVERIFY(stood);
+    QVERIFY2(shell_->arrives(PageId::kResult), "what was saved is shown afterwards");
+    QCOMPARE(shell_->owner().attempts().list(0).size(), size_t{1});
+    const QDir recordings(shell_->context().recordingsFolder());
+    QCOMPARE(recordings.entryList({"*.placode"}, QDir::Files).size(), 1);
 }
 
 }  // namespace placode::ui

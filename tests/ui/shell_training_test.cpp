@@ -373,8 +373,15 @@ void ShellTrainingTest::educatorReviewsAndRemarks() {
     Q_EMIT table->cellActivated(0, 0);
     QVERIFY(shell.arrives(PageId::kResult));
     QVERIFY(shell.type("comment_text", "Open the jaws before you turn."));
-    QVERIFY(shell.click("comment_add"));
     const auto attempts = shell.owner().attempts().list(shell.idOf("nina"));
+    // A check that ends meanwhile shows the page anew, and whoever writes writes on.
+    const QPointer<Page> before = shell.window().page();
+    Q_EMIT shell.context().replays().checked(attempts[4].id);
+    QVERIFY(shell.window().page() != before);
+    QCOMPARE(shell.find<QLineEdit>("comment_text")->text(),
+             QString("Open the jaws before you turn."));
+    QVERIFY(QTest::qWaitFor([&] { return shell.focusIsIn("comment_text"); }, 2000));
+    QVERIFY(shell.click("comment_add"));
     const auto remarks = shell.owner().reviews().comments(attempts[4].id);
     QCOMPARE(remarks.size(), size_t{1});
     QCOMPARE(remarks[0].text, std::string("Open the jaws before you turn."));

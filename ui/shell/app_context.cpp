@@ -40,6 +40,9 @@ void learn_pace(QSettings& settings, const WorkSize& size, double took_s) {
     settings.setValue(key, before > 0 ? 0.5 * (before + now) : now);
 }
 
+/// What a dialog belongs to: the page below it may be built anew.
+QWidget* window_of(QWidget* parent) { return parent != nullptr ? parent->window() : nullptr; }
+
 }  // namespace
 
 AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) {
@@ -186,26 +189,27 @@ void AppContext::rememberFolder(const QString& folder) {
 QString AppContext::askSaveFile(QWidget* parent, const QString& title, const QString& name,
                                 const QString& filter) {
     const QString proposal = QDir(lastFolder()).filePath(name);
-    const QString path = ask_save_file_
-                             ? ask_save_file_(parent, title, proposal, filter)
-                             : QFileDialog::getSaveFileName(parent, title, proposal, filter);
+    const QString path =
+        ask_save_file_ ? ask_save_file_(window_of(parent), title, proposal, filter)
+                       : QFileDialog::getSaveFileName(window_of(parent), title, proposal, filter);
     if (!path.isEmpty()) rememberFolder(QFileInfo(path).absolutePath());
     return path;
 }
 
 QString AppContext::askOpenFile(QWidget* parent, const QString& title, const QString& filter) {
     const QString folder = lastFolder();
-    const QString path = ask_open_file_
-                             ? ask_open_file_(parent, title, folder, filter)
-                             : QFileDialog::getOpenFileName(parent, title, folder, filter);
+    const QString path =
+        ask_open_file_ ? ask_open_file_(window_of(parent), title, folder, filter)
+                       : QFileDialog::getOpenFileName(window_of(parent), title, folder, filter);
     if (!path.isEmpty()) rememberFolder(QFileInfo(path).absolutePath());
     return path;
 }
 
 QString AppContext::askFolder(QWidget* parent, const QString& title) {
     const QString last = lastFolder();
-    const QString folder = ask_save_file_ ? ask_save_file_(parent, title, last, {})
-                                          : QFileDialog::getExistingDirectory(parent, title, last);
+    const QString folder = ask_save_file_
+                               ? ask_save_file_(window_of(parent), title, last, {})
+                               : QFileDialog::getExistingDirectory(window_of(parent), title, last);
     if (!folder.isEmpty()) rememberFolder(QFileInfo(folder).absoluteFilePath());
     return folder;
 }

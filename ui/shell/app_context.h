@@ -142,7 +142,8 @@ class AppContext : public QObject {
     void setStoreSetting(const QString& key, const QVariant& value);  ///< Not valid: removed.
 
     /// Where to put a file of this `name`; empty = cancelled. All three begin in the folder that
-    /// was chosen last, at first in the user's documents, and remember what is chosen.
+    /// was chosen last, at first in the user's documents, and remember what is chosen. The dialog
+    /// belongs to the window of `parent`: a page may be built anew below it.
     [[nodiscard]] QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
                                       const QString& filter);
     /// A file to read; empty = cancelled.

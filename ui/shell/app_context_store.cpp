@@ -3,10 +3,10 @@
 // Opening the store, what to do when it is gone, and whether who is signed in still may be.
 #include <QApplication>
 #include <QInputDialog>
-#include <QTimer>
 
 #include "db/store_url.h"
 #include "ui/shell/app_context.h"
+#include "ui/shell/dialog_frame.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
@@ -15,7 +15,6 @@ namespace {
 constexpr const char* kChosenStore = "chosen_store";
 constexpr const char* kKnown = "known";
 constexpr qint64 kAskAgainMs = 1000;
-constexpr int kAfterDialogMs = 300;
 
 }  // namespace
 
@@ -165,9 +164,7 @@ bool AppContext::sessionStands() {
 void AppContext::endSession() {
     if (!user_ || session_note_.isEmpty()) return;
     // A page that waits for an answer must not go away under its question.
-    if (QApplication::activeModalWidget() != nullptr ||
-        QApplication::activePopupWidget() != nullptr)
-        return QTimer::singleShot(kAfterDialogMs, this, &AppContext::endSession);
+    if (question_stands()) return when_no_question(this, [this] { endSession(); });
     Q_EMIT sessionEnds();
     user_.reset();
     if (store_) store_->sign_out();

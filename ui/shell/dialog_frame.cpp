@@ -2,17 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/dialog_frame.h"
 
+#include <QApplication>
 #include <QDialog>
 #include <QEvent>
 #include <QFrame>
 #include <QLayout>
 #include <QPainter>
 #include <QPointer>
+#include <QTimer>
 
 namespace placode::ui {
 namespace {
 
-constexpr int kDimAlpha = 110;  ///< Of black over the page; 255 hides it.
+constexpr int kDimAlpha = 110;       ///< Of black over the page; 255 hides it.
+constexpr int kAfterDialogMs = 300;  ///< Until what a dialog was asked for has come to its end.
 
 /// Lies over all of its parent, whatever size that takes, and lets every click through.
 class Cover : public QFrame {
@@ -81,6 +84,17 @@ void make_room(QDialog* dialog) {
     const int needed = layout->hasHeightForWidth() ? layout->totalHeightForWidth(dialog->width())
                                                    : layout->totalSizeHint().height();
     if (needed > dialog->height()) dialog->resize(dialog->width(), needed);
+}
+
+bool question_stands() {
+    return QApplication::activeModalWidget() != nullptr ||
+           QApplication::activePopupWidget() != nullptr;
+}
+
+void when_no_question(QObject* receiver, const std::function<void()>& act) {
+    if (!question_stands()) return act();
+    QTimer::singleShot(kAfterDialogMs, receiver,
+                       [receiver, act] { when_no_question(receiver, act); });
 }
 
 }  // namespace placode::ui

@@ -8,6 +8,7 @@
 #include <QShortcut>
 #include <QToolButton>
 
+#include "ui/shell/dialog_frame.h"
 #include "ui/shell/handover.h"
 #include "ui/shell/help_window.h"
 #include "ui/shell/parts.h"
@@ -173,12 +174,27 @@ void MainWindow::showPage(Page* made) {
     if (made->accessibleName().isEmpty()) made->setAccessibleName(made->title());
     if (focused) made->setFocus(Qt::OtherFocusReason);
     // Queued: a page may ask to leave from inside one of its own handlers.
-    connect(made, &Page::go, this, &MainWindow::open, Qt::QueuedConnection);
-    connect(made, &Page::back, this, &MainWindow::goBack, Qt::QueuedConnection);
+    const QPointer<Page> from = made;
+    connect(
+        made, &Page::go, this,
+        [this, from](const Place& to) { leavePage(from, [this, to] { open(to); }); },
+        Qt::QueuedConnection);
+    connect(
+        made, &Page::back, this, [this, from] { leavePage(from, [this] { goBack(); }); },
+        Qt::QueuedConnection);
     connect(made, &Page::notice, this, [this](const QString& text) { announce(text); });
     connect(made, &Page::written, this, &MainWindow::announce);
     rememberPlace();
     updateFrame();
+}
+
+// What a page began may end while its next question stands: whoever then goes elsewhere at that
+// question stays there.
+void MainWindow::leavePage(const QPointer<Page>& from, const std::function<void()>& leave) {
+    if (!question_stands()) return leave();
+    when_no_question(this, [this, from, leave] {
+        if (from && page_ == from) leave();
+    });
 }
 
 // Twice queued: after the page change that often comes with it, before it or behind it.

@@ -86,6 +86,8 @@ class MainWindow : public QMainWindow {
     void showMissingStore();
     void announce(const QString& text, const QString& written = {});
     void goBack();
+    /// Leaves `from` as it asked for, not while a question stands; then only if it is shown still.
+    void leavePage(const QPointer<Page>& from, const std::function<void()>& leave);
     void onUserChanged();
     void onAttemptEnded(const AttemptEnding& ending);
     void saveAttempt(const AttemptEnding& ending);

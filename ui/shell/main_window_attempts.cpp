@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "ui/diagnostics/program_log.h"
+#include "ui/shell/dialog_frame.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/waiting_recordings.h"
@@ -165,7 +166,9 @@ void MainWindow::showWaitingCount() {
 void MainWindow::onWaitingSaved(const AttemptOrder& order, qint64 attempt_id) {
     context_.verifyAttempts();
     if (!isMine(order) || handedOver()) return;
-    if (place_.page == PageId::kRecovery) showPlace(place_);
+    when_no_question(this, [this] {
+        if (place_.page == PageId::kRecovery) showAgain(whatIsShown());
+    });
     const QString text = tr("An attempt that was kept on this computer is saved now.");
     // What a participant did is looked at by those who may, where studies are.
     if (!order.study.isEmpty()) return notices_->showNotice(text);
@@ -175,10 +178,17 @@ void MainWindow::onWaitingSaved(const AttemptOrder& order, qint64 attempt_id) {
 }
 
 void MainWindow::onReplayed(qint64 attempt_id) {
-    if (place_.page != PageId::kResult || place_.number != attempt_id || !page_) return;
-    Place here = place_;
-    here.state = page_->state();
-    showPlace(here);
+    when_no_question(this, [this, attempt_id] {
+        if (place_.page != PageId::kResult || place_.number != attempt_id || !page_) return;
+        const QWidget* typed_in = focusWidget();
+        const bool here = typed_in != nullptr && page_->isAncestorOf(typed_in);
+        const QString field = here ? typed_in->objectName() : QString();
+        showAgain(whatIsShown());
+        auto* again = page_ && !field.isEmpty() ? page_->findChild<QWidget*>(field) : nullptr;
+        if (again == nullptr) return;
+        // Whoever writes a remark writes on, once the page is there.
+        QTimer::singleShot(0, again, [again] { again->setFocus(Qt::OtherFocusReason); });
+    });
 }
 
 void MainWindow::offerLeftovers() {

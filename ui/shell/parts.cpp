@@ -183,7 +183,9 @@ bool confirm(QWidget* parent, const QString& title, const QString& text, const Q
     const QString words =
         QString("<p><b>%1</b></p><p>%2</p>")
             .arg(title.toHtmlEscaped(), text.toHtmlEscaped().replace('\n', "<br>"));
-    QMessageBox box(QMessageBox::NoIcon, title, words, QMessageBox::NoButton, parent);
+    // Of the window, not of the page: a question on the stack must not be deleted with its page.
+    QMessageBox box(QMessageBox::NoIcon, title, words, QMessageBox::NoButton,
+                    parent != nullptr ? parent->window() : nullptr);
     box.setTextFormat(Qt::RichText);
     box.setObjectName("confirm");
     frame_dialog(&box);

@@ -120,7 +120,7 @@ class PassphraseDialog : public QDialog {
 
 bool ask_passphrase(AppContext& context, QWidget* parent, const PassphraseQuestion& question,
                     const std::function<void(std::string_view)>& use) {
-    PassphraseDialog dialog(context, parent, question, use);
+    PassphraseDialog dialog(context, parent->window(), question, use);
     return dialog.exec() == QDialog::Accepted;
 }
 
