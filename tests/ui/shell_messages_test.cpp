@@ -48,6 +48,7 @@ class ShellMessagesTest : public QObject {
 
     void messagesMoveNothing();
     void workInProgressHidesNothingAndSaysHowLong();
+    void whatFailsAfterTheWorkIsToldAsWell();
     void aQuestionHasAFrameAndDimsThePage();
     void escapeAndTheCrossCloseTheNewest();
     void manyAreStackedAndTheSameIsShownOnce();
@@ -150,6 +151,16 @@ void ShellMessagesTest::workInProgressHidesNothingAndSaysHowLong() {
     QVERIFY2(!begun, "nothing is worked on: at once");
     QVERIFY2(settings.value("pace/reading").toDouble() < 0.05, "it was quicker than last time");
     QVERIFY(!context.busyPace());
+}
+
+// It is called by the event loop, and what it threw ended the program.
+void ShellMessagesTest::whatFailsAfterTheWorkIsToldAsWell() {
+    auto& context = shell_->context();
+    context.background(
+        &shell_->window(), "Reading the recording", [](db::Store&) {},
+        [](bool) { throw Refusal("Your account was closed meanwhile."); });
+    QVERIFY(shell_->bannerSays("closed meanwhile"));
+    QVERIFY(!context.busy());
 }
 
 void ShellMessagesTest::aQuestionHasAFrameAndDimsThePage() {

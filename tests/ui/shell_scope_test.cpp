@@ -21,6 +21,7 @@ class ShellScopeTest : public QObject {
     void theResultOfARingStillDoes();
     void theComparisonShowsWhatBelongsToTheTask();
     void whatWasLeftHasNoPointsInTheComparison();
+    void anotherOneChosenInAClosedAccountLeadsToSignIn();
 
  private:
     /// Some seconds of the scripted expert. Returns the number of the attempt.
@@ -147,6 +148,24 @@ void ShellScopeTest::whatWasLeftHasNoPointsInTheComparison() {
     for (int row = 0; row < table->rowCount(); ++row)
         QCOMPARE(table->item(row, 4)->text(), QString("–"));
     shell.whole("99_compare_left");
+}
+
+// The last one: nobody opens the account again.
+void ShellScopeTest::anotherOneChosenInAClosedAccountLeadsToSignIn() {
+    ShellHarness& shell = *shell_;
+    shell.window().open({PageId::kCompare, done_, {}, {{"other", QVariant::fromValue(better_)}}});
+    QVERIFY(shell.arrives(PageId::kCompare));
+    QVERIFY(
+        QTest::qWaitFor([&] { return shell.find<QWidget>("compare_pictures") != nullptr; }, 60000));
+    auto* offered = shell.find<QComboBox>("compare_with");
+    const int left = offered->findData(QVariant::fromValue<qint64>(left_));
+    QVERIFY(left >= 0 && left != offered->currentIndex());
+    shell.owner().accounts().set_active(shell.idOf("demo.trainee"), false);
+    QTest::qWait(1100);  // The store is asked once a second at most.
+    offered->setCurrentIndex(left);
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY2(shell.text("login_note").contains("Your account was closed"),
+             qPrintable(shell.text("login_note")));
 }
 
 }  // namespace placode::ui

@@ -24,6 +24,7 @@ class ShellStoreTest : public QObject {
     void aSessionEndsWhenItsRolesAreOthers();
     void aSessionEndsWhenItsAccountIsClosed();
     void whatAParticipantAnsweredOutlivesTheSession();
+    void aListAskedForAfterwardsLeadsToSignIn();
     void aRecordingIsCopiedElsewhereAndNeverOverItself();
     void aPageStaysAsLongAsItsQuestion();
 
@@ -218,6 +219,22 @@ void ShellStoreTest::whatAParticipantAnsweredOutlivesTheSession() {
     QVERIFY(shell_->arrives(PageId::kAttempts));
     QVERIFY(!shell_->window().banner().text().contains("may not"));
     QVERIFY(shell_->find<QRadioButton>("answer_sus02_3") == nullptr);
+}
+
+// The filter's slot reads the store, and what it throws ended the program.
+void ShellStoreTest::aListAskedForAfterwardsLeadsToSignIn() {
+    QVERIFY(shell_->signIn("demo.educator", "placode-demo"));
+    shell_->window().open({PageId::kAttempts, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kAttempts));
+    auto* tasks = shell_->find<QComboBox>("filter_task");
+    QVERIFY(tasks != nullptr && tasks->count() > 1);
+    elsewhere()->accounts().set_active(shell_->idOf("demo.educator"), false);
+    QTest::qWait(1100);  // The store is asked once a second at most.
+    tasks->setCurrentIndex(1);
+    QVERIFY(shell_->arrives(PageId::kLogin));
+    QVERIFY(!shell_->context().signedIn());
+    QVERIFY2(shell_->text("login_note").contains("Your account was closed"),
+             qPrintable(shell_->text("login_note")));
 }
 
 QString ShellStoreTest::leftover() {

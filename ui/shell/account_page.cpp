@@ -203,7 +203,9 @@ class AccountPage : public Page {
         const QString parent = context_.askFolder(this, tr("Save my data"));
         if (parent.isEmpty()) return;
         const QString folder = export_folder(parent, qstr(context_.user().login));
-        context_.require(db::Action::kExportPersonalData);
+        if (!context_.guard(tr("Saving my data"),
+                            [this] { context_.require(db::Action::kExportPersonalData); }))
+            return;
         const auto data = std::make_shared<reports::OwnData>();
         context_.background(
             this, tr("Saving my data"),

@@ -277,7 +277,8 @@ void AppContext::backgroundFor(int64_t account, QObject* receiver, const QString
                    if (--busy_ == 0) Q_EMIT busyChanged({});
                    if (error && !(alive && dealt_with && dealt_with(error)))
                        report(problem_of(error, doing));
-                   if (alive) done(!error);
+                   // `done` may read on, and no exception may leave a queued call.
+                   if (alive) guard(doing, [&] { done(!error); });
                });
 }
 

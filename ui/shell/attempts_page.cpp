@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "ui/shell/attempts_table.h"
 #include "ui/shell/pages.h"
@@ -41,10 +42,8 @@ class AttemptsPage : public Page {
         older_->setObjectName("attempts_older");
         for (auto [button, step] : {std::pair{newer_, -kRows}, {older_, kRows}}) {
             foot->addWidget(button);
-            connect(button, &QPushButton::clicked, this, [this, step = step] {
-                offset_ = std::max<int64_t>(0, offset_ + step);
-                show();
-            });
+            connect(button, &QPushButton::clicked, this,
+                    [this, step = step] { showFrom(std::max<int64_t>(0, offset_ + step)); });
         }
         layout->addLayout(foot);
         show();
@@ -88,14 +87,19 @@ class AttemptsPage : public Page {
         row->addWidget(report_, 0, Qt::AlignBottom);
         layout->addLayout(row);
         for (QComboBox* box : {person_, task_})
-            connect(box, &QComboBox::currentIndexChanged, this, [this] {
-                offset_ = 0;
-                show();
-            });
+            connect(box, &QComboBox::currentIndexChanged, this, [this] { showFrom(0); });
+    }
+
+    /// From a slot, which no exception may leave. What cannot be read is asked for again by the
+    /// same touch.
+    void showFrom(int64_t offset) {
+        const int64_t before = std::exchange(offset_, offset);
+        if (!context_.guard(tr("Reading the attempts"), [this] { show(); })) offset_ = before;
     }
 
     /// One page of the list, counted and cut by the store.
     void show() {
+        clear();  // The attempts of one person must not stand under the name of another.
         db::AttemptFilter filter;
         filter.user_id = person_->currentData().toLongLong();
         filter.task_id = task_->currentData().toString().toStdString();
@@ -103,11 +107,6 @@ class AttemptsPage : public Page {
         filter.studies = context_.may(db::Action::kRunQuestionnaire);
         filter.offset = offset_;
         const db::AttemptPage page = context_.store().attempts().page(filter);
-        while (QLayoutItem* item = list_->takeAt(0)) {
-            item->widget()->hide();
-            item->widget()->deleteLater();
-            delete item;
-        }
         table_ = make_attempts_table(context_, page.rows, AttemptColumns::kEverybody);
         table_->setObjectName("attempts_table");
         connect(table_, &QTableWidget::cellActivated, this, [this](int row, int) {
@@ -127,6 +126,15 @@ class AttemptsPage : public Page {
         newer_->setEnabled(offset_ > 0);
         older_->setEnabled(offset_ + rows < page.total);
         for (QPushButton* button : {newer_, older_}) button->setVisible(page.total > kRows);
+    }
+
+    void clear() {
+        while (QLayoutItem* item = list_->takeAt(0)) {
+            item->widget()->hide();
+            item->widget()->deleteLater();
+            delete item;
+        }
+        count_->clear();
     }
 
     int64_t offset_ = 0;

@@ -53,7 +53,7 @@ class ComparePage : public Page {
         const qint64 wanted = place.state.value("other").toLongLong();
         chooser_->setCurrentIndex(wanted == 0 ? bestIndex()
                                               : std::max(0, chooser_->findData(wanted)));
-        connect(chooser_, &QComboBox::currentIndexChanged, this, [this] { showBoth(); });
+        connect(chooser_, &QComboBox::currentIndexChanged, this, [this] { showOther(); });
         showBoth();
     }
 
@@ -120,7 +120,19 @@ class ComparePage : public Page {
         return best == points_.end() ? -1 : static_cast<int>(best - points_.begin());
     }
 
+    /// From a slot, which no exception may leave.
+    void showOther() {
+        if (context_.guard(tr("Reading the attempt"), [this] { showBoth(); })) return;
+        // What is shown is the one before: the box must not name another.
+        const QSignalBlocker quiet(chooser_);
+        chooser_->setCurrentIndex(
+            chooser_->findData(QVariant::fromValue<qint64>(halves_[1].detail.record.id)));
+    }
+
     void showBoth() {
+        // Read first: what cannot be read leaves the page as it is.
+        if (chooser_->currentIndex() >= 0)
+            halves_[1].detail = readAllowed(chooser_->currentData().toLongLong());
         while (QLayoutItem* item = body_->takeAt(0)) {
             if (item->widget()) item->widget()->deleteLater();
             delete item;
@@ -136,7 +148,6 @@ class ComparePage : public Page {
                 "muted"));
             return;
         }
-        halves_[1].detail = readAllowed(chooser_->currentData().toLongLong());
         steer_ = steerCard();
         body_->addWidget(steer_);
         auto* row = new QHBoxLayout;

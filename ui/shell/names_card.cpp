@@ -83,7 +83,11 @@ class NamesCard : public QFrame {
         });
     }
 
+    /// Also from a slot, which no exception may leave: the names lie in the key, and stand here
+    /// when the store does not say who has signed.
     void showNames() {
+        QStringList signatures;
+        context_.guard(tr("Reading the signatures"), [&] { signatures = signedCodes(); });
         while (QLayoutItem* item = shown_->takeAt(0)) {
             if (QWidget* widget = item->widget()) {
                 widget->hide();
@@ -110,26 +114,28 @@ class NamesCard : public QFrame {
         fit_columns(table, 1);
         table->setMinimumHeight(std::min(6, table->rowCount() + 1) * kTouchTarget + 10);
         inside->addWidget(table);
-        addSignatures(inside);
+        if (!signatures.isEmpty()) addSignatures(inside, signatures);
         inside->addLayout(addRow());
         shown_->addWidget(box);
     }
 
-    /// The hand's lines under the consents, of those who signed on the screen.
-    void addSignatures(QVBoxLayout* inside) {
+    /// Of those who signed on the screen.
+    [[nodiscard]] QStringList signedCodes() {
+        QStringList found;
+        for (const QString& code : codes_)
+            if (context_.store().records().consent_signature(study_, code.toStdString()))
+                found << code;
+        return found;
+    }
+
+    /// The hand's lines under the consents.
+    void addSignatures(QVBoxLayout* inside, const QStringList& codes) {
         auto* chooser = new QComboBox;
         chooser->setObjectName("signature_code");
         chooser->setAccessibleName(tr("Signature under the consent of"));
+        chooser->addItems(codes);
         auto* picture = new QLabel;
         picture->setObjectName("signature_picture");
-        for (const QString& code : codes_)
-            if (context_.store().records().consent_signature(study_, code.toStdString()))
-                chooser->addItem(code);
-        if (chooser->count() == 0) {
-            delete chooser;
-            delete picture;
-            return;
-        }
         const auto show = [this, chooser, picture] {
             const auto kept = context_.store().records().consent_signature(
                 study_, chooser->currentText().toStdString());

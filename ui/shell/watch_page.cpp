@@ -210,6 +210,11 @@ class WatchPage : public Page {
         ledger_ = line.ledger;
         pictures_->addWidget(line.card);
         if (blinded_) return;  // remarks name people
+        // Without them the attempt can be watched all the same.
+        context_.guard(tr("Reading the remarks"), [this] { addRemarks(); });
+    }
+
+    void addRemarks() {
         pictures_->addWidget(make_comments_card(
             context_, record_.id, record_.user_id,
             [this] { return replay_->running() ? replay_->state().time_s : from_s_; },

@@ -583,6 +583,10 @@
         <translation>Zadanie</translation>
     </message>
     <message>
+        <source>Reading the attempts</source>
+        <translation>Odczyt prób</translation>
+    </message>
+    <message>
         <source>Nobody has made an attempt yet. Once a trainee has, it shows up here.</source>
         <translation>Nikt jeszcze nie wykonał próby. Pierwsza pojawi się tutaj.</translation>
     </message>
@@ -6336,6 +6340,10 @@
         <translation>Nie można pokazać nagrania.</translation>
     </message>
     <message>
+        <source>Reading the remarks</source>
+        <translation>Odczyt uwag</translation>
+    </message>
+    <message>
         <source>Click the time line to go there</source>
         <translation>Kliknij oś czasu, aby tam przejść</translation>
     </message>
@@ -7930,6 +7938,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>These names belong to the study %1.</source>
         <translation>Te nazwiska należą do badania %1.</translation>
     </message>
+    <message>
+        <source>Reading the signatures</source>
+        <translation>Odczyt podpisów</translation>
+    </message>
 </context>
 <context>
     <name>ProtocolsPage</name>
@@ -8698,6 +8710,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>There is no other attempt at this task yet. After the next one they can be compared.</source>
         <translation>Nie ma jeszcze innej próby tego zadania. Po następnej będzie można je porównać.</translation>
+    </message>
+    <message>
+        <source>Reading the attempt</source>
+        <translation>Odczyt próby</translation>
     </message>
     <message>
         <source>No points were lost</source>
