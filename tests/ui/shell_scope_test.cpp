@@ -4,6 +4,8 @@
 // touched nobody reads of cutting, and what was left half-way has no points anywhere.
 
 #include <QProcess>
+#include <QThread>
+#include <atomic>
 
 #include "assessment/metrics.h"
 #include "db/recording_file.h"
@@ -21,6 +23,7 @@ class ShellScopeTest : public QObject {
     void theResultOfARingStillDoes();
     void theComparisonShowsWhatBelongsToTheTask();
     void whatWasLeftHasNoPointsInTheComparison();
+    void aComparisonLeftWhileItReadsIsNoTrouble();
     void anotherOneChosenInAClosedAccountLeadsToSignIn();
 
  private:
@@ -148,6 +151,30 @@ void ShellScopeTest::whatWasLeftHasNoPointsInTheComparison() {
     for (int row = 0; row < table->rowCount(); ++row)
         QCOMPARE(table->item(row, 4)->text(), QString("–"));
     shell.whole("99_compare_left");
+}
+
+// The folder that the recordings are written to went with the page.
+void ShellScopeTest::aComparisonLeftWhileItReadsIsNoTrouble() {
+    ShellHarness& shell = *shell_;
+    QThreadPool* pool = QThreadPool::globalInstance();
+    pool->waitForDone();
+    const int threads = pool->maxThreadCount();
+    pool->setMaxThreadCount(1);
+    // Reading begins when the page has gone. No check before `go`: the thread would wait for ever.
+    std::atomic<bool> go = false;
+    pool->start([&go] {
+        while (!go) QThread::msleep(5);
+    });
+    shell.window().open({PageId::kCompare, done_, {}, {{"other", QVariant::fromValue(better_)}}});
+    const bool compared = shell.window().current() == PageId::kCompare && shell.context().busy();
+    shell.window().open({PageId::kAccount, 0, {}, {}});
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    go = true;
+    const bool read = QTest::qWaitFor([&] { return !shell.context().busy(); }, 60000);
+    pool->setMaxThreadCount(threads);
+    QVERIFY(compared && read);
+    QVERIFY(shell.arrives(PageId::kAccount));
+    QVERIFY2(!shell.window().banner().isShown(), qPrintable(shell.window().banner().text()));
 }
 
 // The last one: nobody opens the account again.

@@ -174,16 +174,18 @@ class ComparePage : public Page {
         std::array<int64_t, 2> ids{};
         std::array<QString, 2> files;
         std::array<std::shared_ptr<sim::Recording>, 2> read;
+        std::array<std::shared_ptr<QTemporaryDir>, 2> folders;
         auto there = std::make_shared<bool>(true);
         for (size_t i = 0; i < 2; ++i) {
             ids[i] = halves_[i].detail.record.id;
-            halves_[i].folder = std::make_shared<QTemporaryDir>();
-            files[i] = halves_[i].folder->filePath("attempt.placode");
+            folders[i] = halves_[i].folder = std::make_shared<QTemporaryDir>();
+            files[i] = folders[i]->filePath("attempt.placode");
             read[i] = std::make_shared<sim::Recording>();
         }
         context_.background(
             wait, tr("Reading the recordings"),
-            [ids, files, read, there](db::Store& store) {
+            // Its own hold of the folders: the page may be left while they are written to.
+            [ids, files, folders, read, there](db::Store& store) {
                 for (size_t i = 0; i < 2; ++i)
                     *there = take_recording(store, ids[i], files[i], *read[i]) && *there;
             },
