@@ -103,16 +103,22 @@ std::map<std::string, curriculum::LocalText> task_titles(const Course& course) {
 
 namespace {
 
-curriculum::AttemptOutcome unfinished(const ExamBeginRecord& begin) {
-    curriculum::AttemptOutcome outcome;
+/// Which exam it was is what was written down when it began, and at that time.
+void take_from(const ExamBeginRecord& begin, curriculum::AttemptOutcome& outcome) {
     outcome.task_id = begin.task_id;
-    outcome.interrupted = outcome.unfinished = true;
+    // The station's clock may be minutes off; begins are all by the store's.
     outcome.at_utc = begin.begun_utc;
     outcome.seed = begin.seed;
     outcome.exam_course = begin.course_id;
     outcome.exam_stage = begin.stage_id;
     outcome.proctor = begin.proctor;
     outcome.certified = !begin.device_certificate.empty();
+}
+
+curriculum::AttemptOutcome unfinished(const ExamBeginRecord& begin) {
+    curriculum::AttemptOutcome outcome;
+    outcome.interrupted = outcome.unfinished = true;
+    take_from(begin, outcome);
     return outcome;
 }
 
@@ -131,41 +137,54 @@ bool given_up(const AttemptRecord& attempt) {
            (late || attempt.verdict == assessment::Verdict::kFailed);
 }
 
+/// @param begin of the exam that the attempt ended; absent: it ended none.
+curriculum::AttemptOutcome outcome_of(const AttemptRecord& attempt, const ExamBeginRecord* begin) {
+    curriculum::AttemptOutcome outcome;
+    outcome.task_id = attempt.task_id;
+    outcome.points = attempt.points;
+    outcome.critical = attempt.verdict == assessment::Verdict::kFailed;
+    outcome.not_attempted = attempt.verdict == assessment::Verdict::kNotAttempted;
+    outcome.given_up = given_up(attempt);
+    outcome.at_utc = attempt.started_utc;
+    outcome.seed = attempt.seed;
+    outcome.exam_course = attempt.exam.course_id;
+    outcome.exam_stage = attempt.exam.stage_id;
+    outcome.proctor = attempt.exam.proctor;
+    outcome.certified = !attempt.exam.device_certificate.empty();
+    // What waits for its replay, or was found to prove nothing, is used up and not met: a case
+    // was seen, and nobody gets another one by spoiling a file.
+    const bool unproven = not_verified(attempt) || attempt.replay == ReplayState::kWaiting;
+    outcome.voided = !attempt.void_reason.empty() && !not_verified(attempt);
+    outcome.interrupted = attempt.end == sim::EndReason::kInterrupted || unproven;
+    if (begin == nullptr) return outcome;
+    // Nor by putting the recording of another case in the place of the one that went badly.
+    if (attempt.task_id != begin->task_id || attempt.seed != begin->seed) {
+        outcome.interrupted = true;
+        outcome.voided = false;
+    }
+    take_from(*begin, outcome);
+    return outcome;
+}
+
 }  // namespace
 
 std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRecord>& attempts,
                                                     const std::vector<ExamBeginRecord>& begins) {
     std::vector<curriculum::AttemptOutcome> outcomes;
     outcomes.reserve(attempts.size() + begins.size());
-    std::map<int64_t, std::string> begun_utc;  // by attempt
+    std::map<int64_t, const ExamBeginRecord*> ended;  // by attempt
     for (const ExamBeginRecord& begin : begins)
-        if (begin.attempt_id != 0) begun_utc[begin.attempt_id] = begin.begun_utc;
+        if (begin.attempt_id != 0) ended[begin.attempt_id] = &begin;
+    std::set<int64_t> saved;
     for (const AttemptRecord& attempt : attempts) {
-        curriculum::AttemptOutcome outcome;
-        outcome.task_id = attempt.task_id;
-        outcome.points = attempt.points;
-        outcome.critical = attempt.verdict == assessment::Verdict::kFailed;
-        outcome.not_attempted = attempt.verdict == assessment::Verdict::kNotAttempted;
-        outcome.interrupted = attempt.end == sim::EndReason::kInterrupted;
-        outcome.given_up = given_up(attempt);
-        // The station's clock may be minutes off; begins are all by the store's.
-        const auto begun = begun_utc.find(attempt.id);
-        outcome.at_utc = begun != begun_utc.end() ? begun->second : attempt.started_utc;
-        outcome.seed = attempt.seed;
-        outcome.exam_course = attempt.exam.course_id;
-        outcome.exam_stage = attempt.exam.stage_id;
-        outcome.proctor = attempt.exam.proctor;
-        outcome.certified = !attempt.exam.device_certificate.empty();
-        // What waits for its replay, or was found to prove nothing, is used up and not met: a case
-        // was seen, and nobody gets another one by spoiling a file.
-        const bool unproven = not_verified(attempt) || attempt.replay == ReplayState::kWaiting;
-        outcome.voided = !attempt.void_reason.empty() && !not_verified(attempt);
-        outcome.interrupted = outcome.interrupted || unproven;
-        outcomes.push_back(std::move(outcome));
+        const auto begin = ended.find(attempt.id);
+        outcomes.push_back(outcome_of(attempt, begin == ended.end() ? nullptr : begin->second));
+        saved.insert(attempt.id);
     }
     if (begins.empty()) return outcomes;
+    // An attempt that is left out, as one that a script showed is, ended no exam.
     for (const ExamBeginRecord& begin : begins)
-        if (begin.attempt_id == 0) outcomes.push_back(unfinished(begin));
+        if (!saved.contains(begin.attempt_id)) outcomes.push_back(unfinished(begin));
     std::stable_sort(outcomes.begin(), outcomes.end(),
                      [](const auto& a, const auto& b) { return a.at_utc < b.at_utc; });
     return outcomes;

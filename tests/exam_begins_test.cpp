@@ -208,6 +208,60 @@ TEST_P(ExamBegins, ABeginIsForItsPersonCaseAndStageOnly) {
     EXPECT_THAT(keep(result_of(order), jan).void_reason, HasSubstr("it was not begun here"));
 }
 
+/// The case of the begin was seen, whatever recording lies in its place.
+TEST_P(ExamBegins, AnotherRecordingInItsPlaceGivesNoExamBack) {
+    db::AttemptResult other = result_of(begun());
+    other.header.seed = 99;
+    EXPECT_FALSE(db::counts(keep(other)));
+    EXPECT_NE(store->courses().exam_begins(anna).at(0).attempt_id, 0) << "it has its attempt";
+    EXPECT_EQ(stage().attempts, 1);
+    EXPECT_EQ(stage().next_seed, 8u);
+    other = result_of(begun());
+    other.header.task_id = "trace_contour";
+    EXPECT_FALSE(db::counts(keep(other)));
+    EXPECT_EQ(stage().attempts, 2);
+    EXPECT_EQ(stage().attempts_left, 0);
+    EXPECT_EQ(stage().next_seed, 7u);
+    EXPECT_FALSE(progress().mastered);
+}
+
+TEST_P(ExamBegins, AnOrderWithoutTheCertificateGivesNoExamBack) {
+    std::string course = exam_course(kTask, "7,8");
+    const std::string id = "short", proctor = R"("proctor":false)";
+    course.replace(course.find(proctor), proctor.size(), proctor + R"(,"haptic_certificate":true)");
+    course.replace(course.find(id), id.size(), "sound");
+    store->definitions().publish({"course", "sound", 1, course, {}, "test", {}, {}});
+    db::AssignmentRecord assigned;
+    assigned.course_id = "sound";
+    assigned.course_version = 1;
+    assigned.user_id = anna;
+    store->courses().assign(assigned);
+    db::AttemptResult result = result_of(db::begin_exam(
+        *store, anna,
+        db::prepare_exam(*store, anna, "sound", "final", "", "a certificate", db::utc_now())));
+    result.score.points = 10;
+    result.score.verdict = assessment::Verdict::kFailed;
+    result.exam.device_certificate.clear();
+    (void)keep(result);
+    const auto standing = db::course_standing(*store, anna, "sound", db::utc_now());
+    EXPECT_EQ(standing.progress.stages.front().attempts, 1);
+    EXPECT_EQ(standing.progress.stages.front().next_seed, 8u);
+    EXPECT_FALSE(standing.progress.mastered);
+}
+
+/// As somebody writes it by SQL.
+TEST_P(ExamBegins, NorDoesARowThatSaysSomethingElseThanItsBegin) {
+    (void)keep(result_of(begun()));
+    ASSERT_TRUE(progress().mastered);
+    for (const char* other : {"seed = '99'", "task_id = 'trace_contour'", "exam_stage = 'other'",
+                              "demonstration = 1, exam_course = ''"}) {
+        ASSERT_TRUE(raw().run(std::string("UPDATE attempts SET ") + other)) << other;
+        EXPECT_EQ(stage().attempts, 1) << other;
+        EXPECT_EQ(stage().next_seed, 8u) << other;
+        EXPECT_FALSE(progress().mastered) << other;
+    }
+}
+
 TEST_P(ExamBegins, TwoStationsDoNotBeginTheSameAttempt) {
     const auto elsewhere = open();
     const db::ExamOrder here = prepared(*store), there = prepared(*elsewhere);

@@ -6,7 +6,9 @@
 #include <QDateTime>
 #include <QStringList>
 #include <algorithm>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 #include "db/attempt_counting.h"
 #include "db/course_conduct.h"
@@ -22,22 +24,35 @@ struct ExamStandingWords {
     Q_DECLARE_TR_FUNCTIONS(ExamStandingWords)
 };
 
+using Begins = std::vector<db::ExamBeginRecord>;
+
+/// @param begins of exams of the person.
+curriculum::AttemptOutcome outcome_of(const db::AttemptRecord& attempt, const Begins& begins) {
+    // Of the others one that nothing ended would be an outcome, too.
+    Begins own;
+    std::copy_if(begins.begin(), begins.end(), std::back_inserter(own),
+                 [&](const auto& begin) { return begin.attempt_id == attempt.id; });
+    return db::outcomes_of({attempt}, own).front();
+}
+
 /// Whether the machine spoilt one of this exam before: the first one is given back by itself.
-bool given_back_before(AppContext& context, const db::AttemptRecord& attempt) {
+bool given_back_before(AppContext& context, const db::AttemptRecord& attempt,
+                       const Begins& begins) {
     const auto all = context.store().attempts().list(attempt.user_id, attempt.task_id);
     return std::any_of(all.begin(), all.end(), [&](const db::AttemptRecord& each) {
         return each.exam.course_id == attempt.exam.course_id &&
                each.exam.stage_id == attempt.exam.stage_id &&
                std::pair(each.started_utc, each.id) < std::pair(attempt.started_utc, attempt.id) &&
-               db::outcomes_of({each}).front().voided;
+               outcome_of(each, begins).voided;
     });
 }
 
 /// Left and idle attempts as well: the case was seen.
 bool uses_up(AppContext& context, const curriculum::Course& course,
-             const curriculum::CourseStage& stage, const db::AttemptRecord& attempt) {
-    curriculum::AttemptOutcome outcome = db::outcomes_of({attempt}).front();
-    if (outcome.voided) outcome.voided = !given_back_before(context, attempt);
+             const curriculum::CourseStage& stage, const db::AttemptRecord& attempt,
+             const Begins& begins) {
+    curriculum::AttemptOutcome outcome = outcome_of(attempt, begins);
+    if (outcome.voided) outcome.voided = !given_back_before(context, attempt, begins);
     outcome.interrupted = false;
     return curriculum::counts_for(course, stage, outcome);
 }
@@ -85,18 +100,20 @@ QString next_words(AppContext& context, const db::CourseStanding& standing,
 ExamStanding exam_standing(AppContext& context, const db::AttemptRecord& attempt) {
     ExamStanding found;
     std::optional<db::CourseStanding> standing;
+    Begins begins;
     const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     // A course that is gone leaves the attempt: its result is shown without this.
     (void)context.problemOf([&] {
         standing =
             db::course_standing(context.store(), attempt.user_id, attempt.exam.course_id, now);
+        begins = context.store().courses().exam_begins(attempt.user_id);
     });
     if (!standing) return found;
     const curriculum::CourseStage* stage = standing->course.stage(attempt.exam.stage_id);
     if (stage == nullptr) return found;
     const auto& own =
         standing->progress.stages[static_cast<size_t>(stage - standing->course.stages.data())];
-    found.used = uses_up(context, standing->course, *stage, attempt);
+    found.used = uses_up(context, standing->course, *stage, attempt, begins);
     found.words = used_words(own, found.used) + " " + next_words(context, *standing, *stage, own);
     if (db::counts(attempt))
         found.words.prepend(ExamStandingWords::tr("The attempt counts.") + " ");
