@@ -67,8 +67,10 @@ StageProgress stage_progress(const Course& course, const CourseStage& stage,
         progress.last_critical = outcome.critical;
         const bool met = stage.mode == StageMode::kFamiliarisation ||
                          (outcome.points >= stage.benchmark_points && !outcome.critical);
-        progress.streak = met ? progress.streak + 1 : 0;
-        if (met) last_met_utc = outcome.at_utc;
+        // One that was kept back may be from before another that missed.
+        const int step = outcome.late && stage.mode != StageMode::kExam ? 0 : 1;
+        progress.streak = met ? progress.streak + step : 0;
+        if (met) last_met_utc = std::max(last_met_utc, outcome.at_utc);
         if (progress.streak >= stage.consecutive && progress.status != StageStatus::kMastered) {
             progress.status = StageStatus::kMastered;
             progress.mastered_utc = outcome.at_utc;
@@ -120,8 +122,14 @@ CourseProgress course_progress(const Course& course, const std::vector<AttemptOu
                                const std::string& now_utc, const ExtraAttempts& extra) {
     CourseProgress progress;
     std::set<std::string> mastered;
+    // Exams begin by the store's clock. Practice has that of the computer where it was done, which
+    // whoever sits there can set before each attempt, so that the bad ones sort behind.
+    std::vector<AttemptOutcome> as_saved = outcomes;
+    std::stable_sort(as_saved.begin(), as_saved.end(),
+                     [](const auto& a, const auto& b) { return a.saved < b.saved; });
     for (const CourseStage& stage : course.stages) {
-        StageProgress own = stage_progress(course, stage, outcomes);
+        const bool exam = stage.mode == StageMode::kExam;
+        StageProgress own = stage_progress(course, stage, exam ? outcomes : as_saved);
         apply_limit(stage, extra, own);
         const auto now = utc_seconds(now_utc), refresh = utc_seconds(own.refresh_utc);
         own.refresh_due = now && refresh && *now >= *refresh;

@@ -47,7 +47,8 @@ struct Course {
     [[nodiscard]] const CourseStage* stage(const std::string& stage_id) const;
 };
 
-/// The outcome of one attempt, as far as a course cares. Oldest first in lists.
+/// The outcome of one attempt, as far as a course cares. Oldest first in lists; what was practised
+/// counts in the order in which it was saved.
 struct AttemptOutcome {
     std::string task_id;
     double points = 0;
@@ -66,6 +67,10 @@ struct AttemptOutcome {
     /// an attempt.
     bool not_attempted = false;
     bool unfinished = false;  ///< An exam that was begun and of which nothing was saved.
+    int64_t saved = 0;  ///< Grows from each that is saved to the next; 0 = unknown, or none is.
+    /// Says that it began before the one of its task that was saved before it: it was kept back, or
+    /// their clocks differ. It lengthens no row of practice.
+    bool late = false;
 };
 
 /// So long an attempt may be left or tuned without ending what was met in a row [s]: a wrong device

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "curriculum/shipped_definitions.h"
+#include "curriculum/utc_time.h"
 #include "db/attempt_counting.h"
 #include "db/course_rows.h"
 #include "db/said.h"
@@ -140,6 +141,7 @@ bool given_up(const AttemptRecord& attempt) {
 /// @param begin of the exam that the attempt ended; absent: it ended none.
 curriculum::AttemptOutcome outcome_of(const AttemptRecord& attempt, const ExamBeginRecord* begin) {
     curriculum::AttemptOutcome outcome;
+    outcome.saved = attempt.id;
     outcome.task_id = attempt.task_id;
     outcome.points = attempt.points;
     outcome.critical = attempt.verdict == assessment::Verdict::kFailed;
@@ -166,6 +168,23 @@ curriculum::AttemptOutcome outcome_of(const AttemptRecord& attempt, const ExamBe
     return outcome;
 }
 
+/// Of what does not count the clock may have been wrong: the next one is not late by it.
+void mark_late(std::vector<curriculum::AttemptOutcome>& outcomes) {
+    std::vector<curriculum::AttemptOutcome*> saved;
+    saved.reserve(outcomes.size());
+    for (curriculum::AttemptOutcome& each : outcomes) saved.push_back(&each);
+    std::sort(saved.begin(), saved.end(),
+              [](const auto* a, const auto* b) { return a->saved < b->saved; });
+    std::map<std::string, int64_t> before;  // by task: when the one before it began
+    for (curriculum::AttemptOutcome* each : saved) {
+        const auto began = curriculum::utc_seconds(each->at_utc);
+        if (!began || each->interrupted || each->voided) continue;
+        const auto last = before.try_emplace(each->task_id, *began).first;
+        each->late = *began < last->second;
+        last->second = *began;
+    }
+}
+
 }  // namespace
 
 std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRecord>& attempts,
@@ -181,6 +200,7 @@ std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRec
         outcomes.push_back(outcome_of(attempt, begin == ended.end() ? nullptr : begin->second));
         saved.insert(attempt.id);
     }
+    mark_late(outcomes);
     if (begins.empty()) return outcomes;
     // An attempt that is left out, as one that a script showed is, ended no exam.
     for (const ExamBeginRecord& begin : begins)

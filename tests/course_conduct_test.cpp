@@ -6,6 +6,11 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <random>
+#include <tuple>
+
+#include "curriculum/utc_time.h"
 #include "db/access.h"
 #include "db/attempt_counting.h"
 #include "db/password.h"
@@ -311,6 +316,115 @@ TEST_P(CourseStore, ThePracticeThatWasLeftEndsTheRow) {
     EXPECT_EQ(streak(), 1) << "a crash is nobody's fault";
     practised(80, sim::EndReason::kInterrupted, 13, "2026-02-03T00:00:00Z");
     EXPECT_EQ(streak(), 0);
+}
+
+TEST_P(CourseStore, AClockThatIsSetBackMakesNoRow) {
+    store->definitions().publish(
+        {"course",
+         "row",
+         1,
+         R"({"id":"row","version":1,"title":{"en":"Row"},"stages":[{"task_id":"diathermy_ring",)"
+         R"("consecutive":2}]})",
+         {},
+         "because",
+         {},
+         {}});
+    const auto own = [&] {
+        return db::course_standing(*store, anna, "row", kNow).progress.stages[0];
+    };
+    attempt(anna, 90, {}, 1, "2026-02-01T10:00:00Z");
+    attempt(anna, 10, {}, 1, "2026-02-01T10:10:00Z");
+    attempt(anna, 90, {}, 1, "2026-02-01T10:05:00Z");
+    EXPECT_EQ(own().streak, 0);
+    EXPECT_EQ(own().status, curriculum::StageStatus::kOpen) << "by its clock before the bad one";
+    EXPECT_EQ(own().attempts, 3);
+    attempt(anna, 90, {}, 1, "2026-02-01T10:20:00Z");
+    EXPECT_EQ(own().streak, 1);
+    attempt(anna, 90, {}, 1, "2026-02-01T10:30:00Z");
+    EXPECT_EQ(own().status, curriculum::StageStatus::kMastered);
+}
+
+/// Attempts at the one stage of a course that asks for two in a row, numbered as they were saved.
+class RowOfTwo : public testing::Test {
+ protected:
+    void SetUp() override {
+        course.stages.resize(1);
+        course.stages[0].id = course.stages[0].task_id = "ring";
+    }
+    /// @param at_s when it began, by some clock.
+    void add(double points, int64_t at_s) {
+        db::AttemptRecord made;
+        made.id = static_cast<int64_t>(attempts.size()) + 1;
+        made.task_id = "ring";
+        made.points = points;
+        made.duration_s = 60;
+        made.started_utc = curriculum::utc_text(kFirst + at_s);
+        attempts.push_back(std::move(made));
+    }
+    [[nodiscard]] curriculum::StageProgress own() const {
+        std::vector<db::AttemptRecord> listed = attempts;
+        std::sort(listed.begin(), listed.end(), [](const auto& a, const auto& b) {
+            return std::tie(a.started_utc, a.id) < std::tie(b.started_utc, b.id);
+        });
+        return curriculum::course_progress(course, db::outcomes_of(listed)).stages[0];
+    }
+    [[nodiscard]] bool mastered() const {
+        return own().status == curriculum::StageStatus::kMastered;
+    }
+
+    static constexpr int64_t kFirst = 1'767'000'000;
+    curriculum::Course course;
+    std::vector<db::AttemptRecord> attempts;
+};
+
+TEST_F(RowOfTwo, NoOrderOfClocksMakesARowThatTheOrderOfSavingDoesNot) {
+    std::mt19937 random(7);
+    const auto one_of = [&random](unsigned count) {
+        return static_cast<int64_t>(random() % count);
+    };
+    int mastered_all_the_same = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        attempts.clear();
+        int row = 0;
+        bool two = false;
+        for (int i = 0; i < 8; ++i) {
+            const bool good = one_of(2) == 0, left = one_of(6) == 0;
+            add(good ? 90 : 10, 600 * i);
+            if (left) attempts.back().end = sim::EndReason::kInterrupted;
+            row = good && !left ? row + 1 : 0;
+            two = two || row == 2;
+        }
+        ASSERT_EQ(mastered(), two) << trial << ", by clocks that are right";
+        for (db::AttemptRecord& each : attempts)
+            each.started_utc = curriculum::utc_text(kFirst + one_of(86400));
+        if (mastered()) {
+            ASSERT_TRUE(two) << trial;
+            ++mastered_all_the_same;
+        }
+    }
+    EXPECT_GT(mastered_all_the_same, 0);
+}
+
+TEST_F(RowOfTwo, WhatWaitedForAServerLosesOneStepOfAll) {
+    add(90, 86400);  // meanwhile, at another computer
+    add(90, 0);
+    EXPECT_EQ(own().streak, 1) << "it ends no row";
+    add(90, 600);
+    EXPECT_TRUE(mastered());
+    attempts.clear();
+    add(90, 86400);
+    add(10, 0);
+    EXPECT_EQ(own().streak, 0) << "late or not, it missed";
+}
+
+TEST_F(RowOfTwo, AClockThatWasFoundWrongMakesNothingLate) {
+    add(90, 0);
+    add(90, 365 * 86400);
+    const std::vector<db::VoidReason> why{{db::VoidCause::kClock, 0, 0, {}}};
+    attempts.back().void_reason = db::void_text(why);
+    attempts.back().void_meaning = db::void_meaning(why);
+    add(90, 600);
+    EXPECT_TRUE(mastered());
 }
 
 TEST_P(CourseStore, AnExamOnAHapticLoopThatFailedIsVoidForCause) {
