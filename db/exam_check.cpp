@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "curriculum/shipped_definitions.h"
 #include "curriculum/utc_time.h"
 #include "db/course_rows.h"
 #include "db/store_context.h"
@@ -111,6 +112,34 @@ std::optional<VoidReason> version_doubt(const AttemptResult& result, int asked) 
                           .with(version)};
 }
 
+/// Of practice: a newer version was published before it began. Who keeps an older, laxer one could
+/// be scored by that for ever.
+std::optional<VoidReason> replaced_version(StoreContext& context, const AttemptResult& result,
+                                           const std::string& now_utc) {
+    const sim::RecordingHeader& head = result.header;
+    // A study asks for what it asks for, and an old recording (0) is judged by the newest anyway.
+    if (head.task_version == 0 || !result.study.study.empty()) return std::nullopt;
+    // Another station may have a newer Placode; what this one ships is right here.
+    const auto shipped = curriculum::shipped_task(head.task_id);
+    if (shipped && shipped->version == head.task_version) return std::nullopt;
+    const auto began =
+        curriculum::utc_seconds(head.started_utc.empty() ? now_utc : head.started_utc);
+    if (!began) return std::nullopt;
+    Statement newer(context.connection,
+                    "SELECT version, published_utc FROM definitions WHERE kind = 'task' AND id = ? "
+                    "AND version > ? ORDER BY version DESC");
+    newer.run(head.task_id, head.task_version);
+    while (newer.next()) {
+        const auto published = curriculum::utc_seconds(newer.text("published_utc"));
+        if (published && *began > *published + kClockAllowanceS)
+            return VoidReason{VoidCause::kTaskDiffers, 0, 0,
+                              Said::listed(QT_TRANSLATE_NOOP("Said", "%1 version %2"))
+                                  .with(head.task_id)
+                                  .with(static_cast<int>(newer.integer("version")))};
+    }
+    return std::nullopt;
+}
+
 const ExamBeginRecord* begin_in(const CourseRows& rows, const ExamContext& exam) {
     const auto found =
         std::find_if(rows.begins.begin(), rows.begins.end(), [&](const ExamBeginRecord& each) {
@@ -132,6 +161,7 @@ ExamCheck check_exam(StoreContext& context, const UserRecord& user, const Attemp
     const std::string now = clock_of_store(context.connection);
     if (result.exam.course_id.empty()) {
         if (own) add(check, clock_doubt(result, nullptr, now));
+        add(check, replaced_version(context, result, now));
         return check;
     }
     lock_exams(context.connection, user.id);

@@ -24,9 +24,9 @@ struct ExamCheck {
     std::vector<VoidReason> doubts;
 };
 
-/// Within the transaction that saves it. Of practice only the time is looked at. An import has no
-/// begin: a proctor vouches for it, or an administrator who saves it; never the examined person,
-/// nor a program alone. Throws StoreError.
+/// Within the transaction that saves it. Of practice only the time is looked at, and whether its
+/// version of the task had been replaced. An import has no begin: a proctor vouches for it, or an
+/// administrator who saves it; never the examined person, nor a program alone. Throws StoreError.
 [[nodiscard]] ExamCheck check_exam(StoreContext& context, const UserRecord& user,
                                    const AttemptResult& result);
 

@@ -21,9 +21,10 @@ enum class VoidCause : uint8_t {
     kTuned,        ///< Tissue or generator were tuned: it is not the task any more.
     kDevice,       ///< The force device; `detail` has the figures for technicians.
     // What was recorded proves nothing: practice, not verified.
-    kTaskUnknown,    ///< No task of that id and version was published; `detail` names it.
-    kTaskDiffers,    ///< The recording carries another text than the published one.
-    kUnsound,        ///< What scoring needs is missing or out of range; `detail` says what.
+    kTaskUnknown,  ///< No task of that id and version was published; `detail` names it.
+    kTaskDiffers,  ///< The recording carries another text than the published one, or an older
+                   ///< version than was published when it began; `detail` names the published one.
+    kUnsound,      ///< What scoring needs is missing or out of range; `detail` says what.
     kSameRecording,  ///< Another attempt holds this recording; `detail` has its number.
     kReplayDiffers,  ///< Simulated again it gave something else; `detail` says where.
     kScript,         ///< A script performed what counts for a person; `detail` names it.

@@ -387,6 +387,46 @@ TEST_P(ExamBegins, AnotherTextOfATaskOfPlacodeIsNotPublished) {
     EXPECT_GT(begun().context.begin, 0);
 }
 
+TEST_P(ExamBegins, PracticeByAVersionThatANewerOneHadReplacedDoesNotCount) {
+    const auto shipped = curriculum::shipped_task(kTask);
+    const auto publish = [&](int version) {
+        auto json = nlohmann::json::parse(shipped->json);
+        json["id"] = "our_targets";
+        json["version"] = version;
+        store->definitions().publish(
+            {"task", "our_targets", version, json.dump(), {}, "the centre's", {}, {}});
+    };
+    // By a program, which may take over what was recorded later.
+    const auto practised = [&](const std::string& task, int version, int64_t after_s) {
+        db::AttemptResult result = result_of(prepared(*store));
+        result.exam = {};
+        result.header.mode = "practice";
+        result.header.task_id = task;
+        result.header.task_version = version;
+        result.header.started_utc = later(after_s);
+        const int64_t id = save_recorded(*store, anna, result, folder.path().string());
+        return store->attempts().detail(id).record;
+    };
+    publish(1);
+    EXPECT_TRUE(db::counts(practised("our_targets", 1, 3600)));
+    publish(2);
+    const db::AttemptRecord older = practised("our_targets", 1, 3600);
+    EXPECT_FALSE(db::counts(older));
+    EXPECT_EQ(older.void_reason,
+              "Practice, not verified: its task is not the published our_targets version 2");
+    EXPECT_TRUE(db::counts(practised("our_targets", 1, -60))) << "begun before";
+    EXPECT_TRUE(db::counts(practised("our_targets", 2, 3600)));
+    // Another station has a newer Placode.
+    db::publish_task_on_first_use(*store, kTask, shipped->version);
+    ASSERT_TRUE(raw().run(
+        "INSERT INTO definitions (kind, id, version, content, checksum, reason, published_by, "
+        "published_utc) SELECT kind, id, version + 1, content, checksum, 'newer', published_by, "
+        "published_utc FROM definitions WHERE kind = 'task' AND id = 'touch_targets'"));
+    EXPECT_TRUE(db::counts(practised(kTask, shipped->version, 3600)))
+        << "what this one ships counts until it is updated";
+    EXPECT_FALSE(db::counts(practised(kTask, shipped->version - 1, 3600)));
+}
+
 TEST_P(ExamBegins, ACertificateNeedsTheMasteryThatTheRowsShow) {
     const auto issue = [&](int version) {
         return store->courses().save_certificate(anna, "short", version);
