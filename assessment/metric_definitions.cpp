@@ -75,12 +75,16 @@ constexpr MetricDefinition kMetrics[] = {
     {"energy_in_air_s", "Energy in the air", "s", kLowerIsBetter,
      "Time with the pedal down and no contact with tissue.", "Placode"},
     {"energy_in_air_count", "Activations in the air", "", kLowerIsBetter,
-     "Times the pedal was down in the air for over 1 s.", "Placode"},
+     "Times the pedal was down in the air for over 1 s; taps with pauses of up to 1 s count "
+     "together.",
+     "Placode"},
     {"energy_near_placode_s", "Energy near the placode", "s", kLowerIsBetter,
      "Time with the pedal down and the tip within 1 mm of the placode, or over it.", "Placode"},
     {"energy_j", "Energy delivered", "J", kLowerIsBetter, "Energy that reached tissue.", "Placode"},
     {"dwell_s", "Resting on one spot", "s", kLowerIsBetter,
-     "Time of those activations that stayed on one spot for over 1 s.", "Placode"},
+     "Time of energy that stayed on one spot for over 1 s; taps with pauses of up to 1 s count "
+     "together.",
+     "Placode"},
     {"buried_s", "Tip stuck in tissue", "s", kLowerIsBetter,
      "Time with the tip of an instrument inside tissue that it was pushed through; only periods "
      "longer than 0.3 s; a tip in a hole that was cut or torn is not stuck.",
@@ -143,8 +147,9 @@ constexpr MetricDefinition kMetrics[] = {
      "jaws stayed shut as far.",
      "Placode"},
     {"over_traction_count", "Pulled too hard", "", kLowerIsBetter,
-     "Pulls above the tissue's limit for over 0.3 s, and once more for each 2 s of them; one that "
-     "begins within 3 s of the last one's end counts as the share of 3 s between them.",
+     "Pulls above the tissue's limit for over 0.3 s, tugs with pauses of up to 0.3 s as one, and "
+     "once more for each 2 s of them; one that begins within 3 s of the last one's end counts as "
+     "the share of 3 s between them.",
      "Placode"},
     {"peak_traction_mn", "Peak traction", "mN", kLowerIsBetter,
      "Largest pull of held tissue on the jaws.", "Placode"},

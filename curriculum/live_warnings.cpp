@@ -68,8 +68,10 @@ void LiveWarnings::look_at_energy(const sim::State& state, std::span<const sim::
                                   size_t i, bool sampled) noexcept {
     const sim::ToolState& tool = state.tools[i];
     const sim::ToolLedger& spell = state.ledger.tools[i];
-    if (spell.air_s > kAirS) say("Energy in air", state.time_s);
-    if (spell.dwell_s > kDwellS) say("Too long on one spot", state.time_s);
+    // A spell outlasts a short pause; it is said while the pedal is down.
+    const bool flows = tool.energised != 0;
+    if (flows && spell.air_s > kAirS) say("Energy in air", state.time_s);
+    if (flows && spell.dwell_s > kDwellS) say("Too long on one spot", state.time_s);
     if (!sampled || !sim::conducts(scene_->tools[i].kind) || inputs[i].pedals == 0) return;
     const sim::Vec2 tip = tool.proxy.p.head<2>();
     if (placode_ && tool.in_contact != 0 && placode_->nearest(tip).offset < kNearPlacodeM)

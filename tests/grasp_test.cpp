@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "tests/box_scene.h"
 
@@ -203,11 +204,71 @@ TEST(Grasp, APullAboveTheLimitIsEnteredWithItsPeak) {
     jaws.go(0.0008, jaw, 300);
     jaws.go(0.0008, jaw, 400);
     jaws.go(kTouch, jaw, 300);
-    jaws.go(kTouch, jaw, 100);
+    jaws.go(kTouch, jaw, 400);
     const Event* e = jaws.find(EventKind::kOverTraction);
     ASSERT_NE(e, nullptr);
     EXPECT_GT(e->value, 0.3F);
     EXPECT_GT(e->value2, 0.02F);
+}
+
+/// Jaws that hold tissue which nothing moves: the pull is what the test says.
+struct Tugs {
+    Tugs() : scene(test::box_scene(options_for())), state(scene, 1) {
+        Grasp& g = state.grasps[0];
+        g.held[0].vertex = 0;
+        g.count = g.grasped = 1;
+        g.tet = 0;
+        g.tissue = Tissue::kZone;
+        g.meet_rad = static_cast<float>(grip_angle(scene.tools[0]));
+        state.tools[0].engaged = 1;
+        state.tools[0].jaw_rad = g.meet_rad;
+        limit_n = scene.body.spec().materials[static_cast<int>(Tissue::kZone)].traction_limit_n;
+    }
+    void pull(int frames, double share_of_limit) {
+        for (int i = 0; i < frames; ++i) {
+            ++state.frame;
+            state.time_s = static_cast<double>(state.frame) * 1e-3;
+            state.event_count = 0;
+            state.grasps[0].force_n = Vec3(0, 0, -share_of_limit * limit_n);
+            update_grasps(scene, state, 1e-3);
+            for (int e = 0; e < state.event_count; ++e)
+                if (state.events[e].kind == EventKind::kOverTraction)
+                    pulls.push_back(state.events[e]);
+        }
+    }
+
+    Scene scene;
+    State state;
+    double limit_n = 0;
+    std::vector<Event> pulls;
+};
+
+TEST(Grasp, TugsThatFollowEachOtherAtOnceAreOnePull) {
+    Tugs tugs;
+    for (int i = 0; i < 20; ++i) {
+        tugs.pull(290, 1.5);
+        tugs.pull(10, 0.5);
+    }
+    EXPECT_TRUE(tugs.pulls.empty()) << "it is not over";
+    ASSERT_TRUE(open_traction(tugs.state, 0).has_value());
+    tugs.pull(400, 0.5);
+    ASSERT_EQ(tugs.pulls.size(), 1U);
+    EXPECT_NEAR(tugs.pulls[0].value, 20 * 0.29, 0.01) << "time below the limit does not count";
+    EXPECT_NEAR(tugs.pulls[0].time_s, 5.99, 0.002) << "the last moment above the limit";
+    EXPECT_NEAR(tugs.pulls[0].value2, 1.5 * tugs.limit_n, 1e-4 * tugs.limit_n);
+    EXPECT_FALSE(open_traction(tugs.state, 0).has_value());
+}
+
+TEST(Grasp, AShortPullCostsNothingNorDoesOneAfterAPause) {
+    Tugs tugs;
+    tugs.pull(290, 1.5);
+    tugs.pull(400, 0.5);
+    tugs.pull(290, 1.5);
+    tugs.pull(400, 0.5);
+    EXPECT_TRUE(tugs.pulls.empty());
+    tugs.pull(350, 1.5);
+    tugs.pull(400, 0.5);
+    EXPECT_EQ(tugs.pulls.size(), 1U);
 }
 
 TEST(Grasp, OverStretchedTissueTearsAndNamesTheGrasper) {

@@ -13,11 +13,12 @@ namespace placode::sim {
 
 /// Kinds are stored as numbers in recordings: append only, never renumber.
 enum class EventKind : uint16_t {
-    kPhase = 1,        ///< value = Phase
-    kEnergyOn = 2,     ///< value = nominal W
-    kEnergyOff = 3,    ///< value = seconds on, value2 = joules delivered
-    kEnergyInAir = 4,  ///< value = seconds (raised when it ends, over 1 s)
-    kDwell = 5,        ///< value = seconds with energy on one spot (raised when it ends, over 1 s)
+    kPhase = 1,      ///< value = Phase
+    kEnergyOn = 2,   ///< value = nominal W
+    kEnergyOff = 3,  ///< value = seconds on, value2 = joules delivered
+    // Raised when they end, over 1 s; taps with pauses up to 1 s are one. Time = the last current.
+    kEnergyInAir = 4,  ///< value = seconds of current
+    kDwell = 5,        ///< value = seconds of current on one spot
     kVaporised = 6,  ///< one tet removed by heat: value = rest volume [m^3], value2 = depth of its
                      ///< centroid below the rest surface [m]
     kTorn = 7,       ///< one tet torn: value = rest volume [m^3], value2 = stretch
@@ -39,7 +40,8 @@ enum class EventKind : uint16_t {
     kReleased = 20,      ///< jaws let go: value = seconds held, value2 = peak traction [N]
     kSlipped = 21,       ///< tissue slid in the jaws: value = way [m], value2 = peak traction [N]
     kCrushed = 22,       ///< jaw pressure above the tissue's limit: value = Pa, value2 = N
-    kOverTraction = 23,  ///< pulled above the tissue's limit: value = seconds, value2 = peak [N]
+    kOverTraction = 23,  ///< pulled above the tissue's limit, over 0.3 s: value = seconds, value2 =
+                         ///< peak [N]. Tugs with pauses up to 0.3 s are one, time = end of the last
     kSnipped = 24,       ///< scissors closed: value = area parted [m^2], value2 = depth [m]
     kPlacodeCut = 25,    ///< scissors parted placode from placode: value = area [m^2]
     kPieceFree = 26,     ///< tissue came loose: value = volume [m^3]

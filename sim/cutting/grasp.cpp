@@ -23,7 +23,7 @@ constexpr double kSqueeze = 0.5;          // jaws squeezed fully leave this shar
 constexpr double kSlipPerSubstep = 2e-5;  // so that a slip is a slide, not a jump [m]
 constexpr float kSlipNotice = 3e-4f;      // less is tissue settling between closing jaws [m]
 constexpr float kSlipEnds = 0.1f;         // without slipping this long, the slip is over [s]
-constexpr float kTractionS = 0.3f;        // a pull above the limit counts from here on [s]
+constexpr float kTractionS = 0.3f;   // above the limit it counts from here on, below it ends [s]
 constexpr double kCarryStep = 1e-4;  // tissue follows closing jaws at most so far a substep [m]
 
 /// Where a held vertex belongs now, in T.
@@ -153,7 +153,7 @@ void end_slip(State& state, int t) noexcept {
 void end_traction(State& state, int t) noexcept {
     Grasp& g = state.grasps[t];
     if (const auto pull = open_traction(state, t)) add_event(state, *pull);
-    g.traction_s = g.traction_peak_n = 0;
+    g.traction_s = g.traction_peak_n = g.traction_pause_s = 0;
 }
 
 void end_grasp(const Scene& scene, State& state, int t) noexcept {
@@ -205,8 +205,11 @@ void watch_tissue(const Scene& scene, State& state, int t, float pull, float sec
     if (pull > material.traction_limit_n) {
         g.traction_s += seconds;
         g.traction_peak_n = std::max(g.traction_peak_n, pull);
+        g.traction_pause_s = 0;
     } else if (g.traction_s > 0) {
-        end_traction(state, t);
+        // Tugs that follow each other at once are one pull: each alone would be too short to count.
+        g.traction_pause_s += seconds;
+        if (g.traction_pause_s > kTractionS) end_traction(state, t);
     }
 }
 
@@ -254,6 +257,7 @@ std::optional<Event> open_traction(const State& state, int t) noexcept {
     const Grasp& g = state.grasps[t];
     if (g.traction_s < kTractionS) return std::nullopt;
     Event e = grasp_event(state, EventKind::kOverTraction, t);
+    e.time_s -= static_cast<double>(g.traction_pause_s);
     e.value = g.traction_s;
     e.value2 = g.traction_peak_n;
     return e;

@@ -32,7 +32,8 @@ void feel_grasped(const Scene& scene, State& state) noexcept;
 /// End of a frame of `dt` seconds: closes, opens, crushes, and writes what happened.
 void update_grasps(const Scene& scene, State& state, double dt) noexcept;
 
-/// The entry for a pull above the tissue's limit that goes on, long enough to count.
+/// The entry for a pull above the tissue's limit that is not over, long enough to count. Its time
+/// is the last moment above the limit.
 [[nodiscard]] std::optional<Event> open_traction(const State& state, int t) noexcept;
 
 /// A held vertex was split: the jaws hold its copy as well.

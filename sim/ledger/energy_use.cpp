@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/cutting/diathermy.h"
 #include "sim/world/add_event.h"
 #include "sim/world/scene.h"
 #include "sim/world/state.h"
@@ -12,6 +13,7 @@ namespace placode::sim {
 namespace {
 
 constexpr float kNoticeS = 1.0f;  // energy in air or on one spot counts from here on
+constexpr double kPauseS = 1.0;   // without current for longer, that spell is over: taps are one
 
 Event spell_event(const State& state, int t, EventKind kind, float seconds) noexcept {
     Event e = tool_event(state, kind, t);
@@ -27,19 +29,49 @@ Event placode_energised_event(const State& state, int t) noexcept {
     return e;
 }
 
+/// Ends with the last current, wherever the instrument is by now.
+Event air_event(const State& state, int t) noexcept {
+    const ToolLedger& spell = state.ledger.tools[t];
+    Event e = spell_event(state, t, EventKind::kEnergyInAir, spell.air_s);
+    e.time_s = spell.air_until_s;
+    return e;
+}
+
+Event dwell_event(const State& state, int t) noexcept {
+    const ToolLedger& spell = state.ledger.tools[t];
+    Event e = spell_event(state, t, EventKind::kDwell, spell.dwell_s);
+    e.time_s = spell.dwell_until_s;
+    e.tissue = spell.dwell_tissue;
+    e.element = spell.dwell_tet;
+    set_rest_position(e, spell.dwell_rest);
+    return e;
+}
+
 /// Enters a spell that lasted long enough, and begins anew.
-void end_spell(State& state, int t, EventKind kind, float ToolLedger::*seconds) noexcept {
-    float& lasted = state.ledger.tools[t].*seconds;
-    if (lasted > kNoticeS) add_event(state, spell_event(state, t, kind, lasted));
+void end_dwell(State& state, int t) noexcept {
+    float& lasted = state.ledger.tools[t].dwell_s;
+    if (lasted > kNoticeS) add_event(state, dwell_event(state, t));
     lasted = 0;
 }
 
-void end_dwell(State& state, int t) noexcept {
-    end_spell(state, t, EventKind::kDwell, &ToolLedger::dwell_s);
+void end_air(State& state, int t) noexcept {
+    float& lasted = state.ledger.tools[t].air_s;
+    if (lasted > kNoticeS) add_event(state, air_event(state, t));
+    lasted = 0;
 }
 
-void end_air(State& state, int t) noexcept {
-    end_spell(state, t, EventKind::kEnergyInAir, &ToolLedger::air_s);
+/// Spells outlast a pedal that is up for a moment.
+void end_after_pause(State& state, int t) noexcept {
+    const ToolLedger& spell = state.ledger.tools[t];
+    if (state.time_s - spell.air_until_s > kPauseS) end_air(state, t);
+    if (state.time_s - spell.dwell_until_s > kPauseS) end_dwell(state, t);
+}
+
+void begin_dwell(ToolLedger& spell, const ToolState& tool) noexcept {
+    spell.dwell_centre = tool.spot;
+    spell.dwell_rest = tool.rest_spot;
+    spell.dwell_tet = tool.spot_tet;
+    spell.dwell_tissue = tool.touched;
 }
 
 void end_placode_energised(State& state, int t) noexcept {
@@ -47,6 +79,15 @@ void end_placode_energised(State& state, int t) noexcept {
     if (spell.placode_energised_s > 0) add_event(state, placode_energised_event(state, t));
     spell.placode_energised_s = 0;
     spell.energised_peak_c = 0;
+}
+
+void switch_off(State& state, int t) noexcept {
+    const ToolLedger& spell = state.ledger.tools[t];
+    end_placode_energised(state, t);
+    Event e = tool_event(state, EventKind::kEnergyOff, t);
+    e.value = spell.energy_on_s;
+    e.value2 = spell.energy_j;
+    add_event(state, e);
 }
 
 /// Seconds of current: through tissue and there on one spot or on the placode, or in air.
@@ -59,12 +100,16 @@ void where_it_goes(const Scene& scene, State& state, int t, float seconds) noexc
         if (spell.dwell_s == 0 ||
             (tool.spot - spell.dwell_centre).norm() > scene.heat->settings().dwell_radius_m) {
             end_dwell(state, t);
-            spell.dwell_centre = tool.spot;
+            begin_dwell(spell, tool);
         }
         spell.dwell_s += seconds;
+        spell.dwell_until_s = state.time_s;
     } else {
-        end_dwell(state, t);
+        // What a tap meets is known from its first step of heat on: until then nothing is over.
+        if (spell.energy_on_s > static_cast<float>(heat_interval(scene)) * seconds)
+            end_dwell(state, t);
         spell.air_s += seconds;
+        spell.air_until_s = state.time_s;
     }
     if (in_tissue && tool.touched == Tissue::kPlacode) {
         spell.placode_energised_s += seconds;
@@ -78,10 +123,8 @@ void where_it_goes(const Scene& scene, State& state, int t, float seconds) noexc
 
 void open_energy(const State& state, int t, std::vector<Event>& events) {
     const ToolLedger& spell = state.ledger.tools[t];
-    if (spell.air_s > kNoticeS)
-        events.push_back(spell_event(state, t, EventKind::kEnergyInAir, spell.air_s));
-    if (spell.dwell_s > kNoticeS)
-        events.push_back(spell_event(state, t, EventKind::kDwell, spell.dwell_s));
+    if (spell.air_s > kNoticeS) events.push_back(air_event(state, t));
+    if (spell.dwell_s > kNoticeS) events.push_back(dwell_event(state, t));
     if (spell.placode_energised_s > 0) events.push_back(placode_energised_event(state, t));
 }
 
@@ -101,14 +144,9 @@ void ledger_energy(const Scene& scene, State& state, int t, bool active, double 
         spell.energy_on_s += seconds;
         spell.energy_j += static_cast<float>(tool.power_in_tissue_w * dt);
         where_it_goes(scene, state, t, seconds);
-    } else if (tool.energised) {
-        end_air(state, t);
-        end_dwell(state, t);
-        end_placode_energised(state, t);
-        Event e = tool_event(state, EventKind::kEnergyOff, t);
-        e.value = spell.energy_on_s;
-        e.value2 = spell.energy_j;
-        add_event(state, e);
+    } else {
+        end_after_pause(state, t);
+        if (tool.energised) switch_off(state, t);
     }
     tool.energised = active ? 1 : 0;
 }

@@ -37,6 +37,7 @@ struct Grasp {
     float slip_pause_s = 0;        ///< Until a slip counts as ended.
     float slip_peak_n = 0;
     float traction_s = 0, traction_peak_n = 0;  ///< Current spell above the tissue's limit.
+    float traction_pause_s = 0;                 ///< Below it since then, until the spell ends.
     Tissue tissue = Tissue::kSkin;              ///< Most of what is held.
     uint8_t shut = 0;     ///< The jaws have met (with or without tissue): open them to grasp anew.
     uint8_t crushed = 0;  ///< Crushing is in the ledger.
@@ -47,11 +48,11 @@ struct Grasp {
 template <class Visit>
 void fields(Of<Grasp> auto& s, Visit&& visit) {
     auto& [held, count, grasped, jaw_rad, meet_rad, pinch_n, area_m2, held_s, peak_n, slip_m,
-           slip_pause_s, slip_peak_n, traction_s, traction_peak_n, tissue, shut, crushed, force_n,
-           rest_m, tet] = s;
+           slip_pause_s, slip_peak_n, traction_s, traction_peak_n, traction_pause_s, tissue, shut,
+           crushed, force_n, rest_m, tet] = s;
     visit.state(held, count, grasped, jaw_rad, meet_rad, pinch_n, area_m2, held_s, peak_n, slip_m,
-                slip_pause_s, slip_peak_n, traction_s, traction_peak_n, tissue, shut, crushed,
-                force_n, rest_m, tet);
+                slip_pause_s, slip_peak_n, traction_s, traction_peak_n, traction_pause_s, tissue,
+                shut, crushed, force_n, rest_m, tet);
 }
 
 }  // namespace placode::sim

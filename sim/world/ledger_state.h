@@ -63,18 +63,24 @@ struct ToolLedger {
     float quiet_s = 0;                      ///< Since that contact was last felt (debounce).
     float energy_on_s = 0, energy_j = 0;    ///< Activation.
     float air_s = 0;                        ///< Current that meets no tissue.
+    double air_until_s = 0;                 ///< When it last did: a short pause does not end it.
     float dwell_s = 0;                      ///< Current on one spot.
+    double dwell_until_s = 0;               ///< When it last flowed there.
     Vec3 dwell_centre = Vec3::Zero();       ///< That spot, in W [m].
+    Vec3 dwell_rest = Vec3::Zero();         ///< The same at rest [m].
+    int32_t dwell_tet = -1;                 ///< Tet behind it, and its tissue.
+    Tissue dwell_tissue = Tissue::kSkin;
     float placode_energised_s = 0, energised_peak_c = 0;
     float over_force_s = 0, over_force_peak_n = 0;
 };
 template <class Visit>
 void fields(Of<ToolLedger> auto& s, Visit&& visit) {
-    auto& [contact_s, peak_force_n, quiet_s, energy_on_s, energy_j, air_s, dwell_s, dwell_centre,
-           placode_energised_s, energised_peak_c, over_force_s, over_force_peak_n] = s;
-    visit.state(contact_s, peak_force_n, quiet_s, energy_on_s, energy_j, air_s, dwell_s,
-                dwell_centre, placode_energised_s, energised_peak_c, over_force_s,
-                over_force_peak_n);
+    auto& [contact_s, peak_force_n, quiet_s, energy_on_s, energy_j, air_s, air_until_s, dwell_s,
+           dwell_until_s, dwell_centre, dwell_rest, dwell_tet, dwell_tissue, placode_energised_s,
+           energised_peak_c, over_force_s, over_force_peak_n] = s;
+    visit.state(contact_s, peak_force_n, quiet_s, energy_on_s, energy_j, air_s, air_until_s,
+                dwell_s, dwell_until_s, dwell_centre, dwell_rest, dwell_tet, dwell_tissue,
+                placode_energised_s, energised_peak_c, over_force_s, over_force_peak_n);
 }
 
 struct LedgerState {

@@ -77,30 +77,31 @@ void hash_tool(Hash& hash, const ToolState& tool, const ToolLedger& spells) noex
                  substep_stiffness_n_m, substep_overlap_m, bare_gap_m, spot, rest_spot, spot_tet,
                  placode_force_n, gap_m, contact_share, jaw_rad, pedals, engaged, coagulating] =
         tool;
-    const auto& [contact_s, peak_force_n, quiet_s, energy_on_s, energy_j, air_s, dwell_s,
-                 dwell_centre, placode_energised_s, energised_peak_c, over_force_s,
-                 over_force_peak_n] = spells;
+    const auto& [contact_s, peak_force_n, quiet_s, energy_on_s, energy_j, air_s, air_until_s,
+                 dwell_s, dwell_until_s, dwell_centre, dwell_rest, dwell_tet, dwell_tissue,
+                 placode_energised_s, energised_peak_c, over_force_s, over_force_peak_n] = spells;
     hash.each(proxy, hand, force_n, substep_force_n, substep_stiffness_n_m, substep_overlap_m, spot,
               dwell_centre);
     hash.each(contact_s, peak_force_n, energy_on_s, energy_j, air_s, dwell_s, placode_energised_s,
               over_force_s, contact_share, quiet_s, over_force_peak_n, energised_peak_c);
     hash.each(power_in_tissue_w, in_contact, energised, engaged, coagulating);
     hash.without(previous, steel_n, needle_n, friction_anchor, tip_gap_m, touched, stiffness_n_m,
-                 bare_gap_m, rest_spot, spot_tet, placode_force_n, gap_m, jaw_rad, pedals);
+                 bare_gap_m, rest_spot, spot_tet, placode_force_n, gap_m, jaw_rad, pedals,
+                 air_until_s, dwell_until_s, dwell_rest, dwell_tet, dwell_tissue);
 }
 
 void hash_grasp(Hash& hash, const Grasp& grasp) noexcept {
     const auto& [held, count, grasped, jaw_rad, meet_rad, pinch_n, area_m2, held_s, peak_n, slip_m,
-                 slip_pause_s, slip_peak_n, traction_s, traction_peak_n, tissue, shut, crushed,
-                 force_n, rest_m, tet] = grasp;
+                 slip_pause_s, slip_peak_n, traction_s, traction_peak_n, traction_pause_s, tissue,
+                 shut, crushed, force_n, rest_m, tet] = grasp;
     hash.add(count);
     for (int i = 0; i < count; ++i) {
         const auto& [vertex, at_T] = held[i];
         hash.each(vertex, at_T);
     }
     hash.each(jaw_rad, meet_rad, pinch_n, held_s, peak_n, slip_m, slip_pause_s, traction_s, shut);
-    hash.without(grasped, area_m2, slip_peak_n, traction_peak_n, tissue, crushed, force_n, rest_m,
-                 tet);
+    hash.without(grasped, area_m2, slip_peak_n, traction_peak_n, traction_pause_s, tissue, crushed,
+                 force_n, rest_m, tet);
 }
 
 void hash_scissors(Hash& hash, const Scissors& blades) noexcept {

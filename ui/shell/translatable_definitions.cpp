@@ -76,13 +76,16 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition", "Times the energy was switched on."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Time with the pedal down."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Time with the pedal down and no contact with tissue."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Times the pedal was down in the air for over 1 s."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Times the pedal was down in the air for over 1 s; taps with pauses of up to "
+                      "1 s count together."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
         "Time with the pedal down and the tip within 1 mm of the placode, or over it."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Energy that reached tissue."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Time of those activations that stayed on one spot for over 1 s."),
+                      "Time of energy that stayed on one spot for over 1 s; taps with pauses of up "
+                      "to 1 s count together."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Largest force of an instrument on tissue."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Times the force was above the scene's limit, and once more for each 2 s "
@@ -116,10 +119,12 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Grasps with a jaw pressure above the tissue's limit, each once more for "
                       "each 2 s that the jaws stayed shut as far."),
-    QT_TRANSLATE_NOOP(
-        "MetricDefinition",
-        "Pulls above the tissue's limit for over 0.3 s, and once more for each 2 s of them; one "
-        "that begins within 3 s of the last one's end counts as the share of 3 s between them."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Pulls above the tissue's limit for over 0.3 s, tugs with pauses of up to "
+                      "0.3 s as one, and "
+                      "once more for each 2 s of them; one that begins within 3 s of the last "
+                      "one's end counts as "
+                      "the share of 3 s between them."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Largest pull of held tissue on the jaws."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Length of the paths of the instrument tips, filtered at 10 Hz, 100 Hz."),

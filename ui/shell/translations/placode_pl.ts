@@ -3384,8 +3384,8 @@
         <translation>Czas z wciśniętym pedałem bez kontaktu z tkanką.</translation>
     </message>
     <message>
-        <source>Times the pedal was down in the air for over 1 s.</source>
-        <translation>Ile razy pedał był wciśnięty poza tkanką ponad 1 s.</translation>
+        <source>Times the pedal was down in the air for over 1 s; taps with pauses of up to 1 s count together.</source>
+        <translation>Ile razy pedał był wciśnięty poza tkanką ponad 1 s; wciśnięcia z przerwami do 1 s liczą się razem.</translation>
     </message>
     <message>
         <source>Time with the pedal down and the tip within 1 mm of the placode, or over it.</source>
@@ -3396,8 +3396,8 @@
         <translation>Energia, która dotarła do tkanki.</translation>
     </message>
     <message>
-        <source>Time of those activations that stayed on one spot for over 1 s.</source>
-        <translation>Czas tych włączeń, które pozostały w jednym miejscu ponad 1 s.</translation>
+        <source>Time of energy that stayed on one spot for over 1 s; taps with pauses of up to 1 s count together.</source>
+        <translation>Czas z energią w jednym miejscu, jeśli trwała tam ponad 1 s; wciśnięcia pedału z przerwami do 1 s liczą się razem.</translation>
     </message>
     <message>
         <source>Largest force of an instrument on tissue.</source>
@@ -3468,8 +3468,8 @@
         <translation>Uchwycenia z naciskiem szczęk powyżej granicy tkanki, każde jeszcze raz za każde 2 s, w których szczęki były tak samo zaciśnięte.</translation>
     </message>
     <message>
-        <source>Pulls above the tissue&apos;s limit for over 0.3 s, and once more for each 2 s of them; one that begins within 3 s of the last one&apos;s end counts as the share of 3 s between them.</source>
-        <translation>Pociągnięcia powyżej granicy tkanki trwające ponad 0,3 s, i jeszcze raz za każde ich 2 s; takie, które zaczyna się w ciągu 3 s od końca poprzedniego, liczy się jako ta część 3 s, która je dzieli.</translation>
+        <source>Pulls above the tissue&apos;s limit for over 0.3 s, tugs with pauses of up to 0.3 s as one, and once more for each 2 s of them; one that begins within 3 s of the last one&apos;s end counts as the share of 3 s between them.</source>
+        <translation>Pociągnięcia powyżej granicy tkanki trwające ponad 0,3 s, przy czym szarpnięcia z przerwami do 0,3 s to jedno, i jeszcze raz za każde ich 2 s; takie, które zaczyna się w ciągu 3 s od końca poprzedniego, liczy się jako ta część 3 s, która je dzieli.</translation>
     </message>
     <message>
         <source>Largest pull of held tissue on the jaws.</source>
