@@ -18,7 +18,8 @@ namespace placode::assessment {
 /// field was washed. 16: how far skin is undermined.
 /// 17: skin burned anywhere; one value for each stretch of a traced line and each target.
 /// 18: what lasts counts more, a line traced far off, energy into healthy skin.
-/// 19: taps on one spot or in air are one spell, tugs one pull.
+/// 19: taps on one spot or in air are one spell, tugs one pull; a traced line is weighed by the
+/// way.
 inline constexpr int kMetricSetVersion = 19;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };

@@ -122,6 +122,7 @@ class PracticeTracker {
     [[nodiscard]] bool did_wash(const WashSight* wash) noexcept;
     [[nodiscard]] bool did_undermine(const UndermineSight* undermine, size_t tool) noexcept;
     [[nodiscard]] bool did_patch(const PatchSight* patch, size_t tool) noexcept;
+    void weigh_offset(const sim::Vec2& at, double offset_m) noexcept;
     void close_bin(int tool, double time_s) noexcept;
     void close_traction(double time_s) noexcept;
 
@@ -136,9 +137,11 @@ class PracticeTracker {
     int last_tool_ = -1;
     sim::ToolSample last_;
     std::array<uint8_t, sim::kTraceBins> traced_{};
-    int bin_ = -1, bin_samples_ = 0, bins_done_ = 0;
-    double bin_offset_ = 0;
-    NeedleSight needle_;           // of the last sample
+    int bin_ = -1, bins_done_ = 0;
+    double bin_weight_ = 0, bin_offset_ = 0;
+    sim::Vec2 bin_from_ = sim::Vec2::Zero();  // where the pass was weighed last, and the distance
+    double bin_from_offset_ = 0;              // from the line there
+    NeedleSight needle_;                      // of the last sample
     int through_before_ = 0;       // times it had been drawn through when it came out of this bite
     int bites_ = 0, marked_ = -1;  // marked: the last step whose marks were told
     std::array<sim::Event, 8> events_{};

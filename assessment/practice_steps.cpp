@@ -19,6 +19,8 @@ namespace {
 constexpr double kNearSurfaceM = 0.001;  // a tip this near follows the line
 constexpr double kNotThisLineM = 0.003;  // further off it is on its way to the line,
 constexpr double kStrayedS = 0.3;        // unless it stays there for longer than this
+constexpr double kGoneM = 1e-4;          // more than a hand trembles: so far it went, and not stood
+constexpr double kStandsM = 1e-9;        // weighs as much of a way, where there is no other
 constexpr int kBinsEnough = 69;          // of 72: the last ones meet the first
 constexpr double kTakenWithin = 0.15;    // of the needle's arc
 constexpr double kEasedShare = 0.5;      // of a pull that is enough: below it the hand gave way
@@ -160,9 +162,23 @@ bool PracticeTracker::did_touch(const PracticeSight& sight, int index) noexcept 
     return doing && held_s_ >= step().hold_s;
 }
 
+/// A pass is weighed by the way that the tip goes, along the line or across it: with time for a
+/// weight, standing still on the line would thin out the wobble before it.
+void PracticeTracker::weigh_offset(const sim::Vec2& at, double offset_m) noexcept {
+    const double way = bin_weight_ > 0 ? (at - bin_from_).norm() : 0;
+    const bool went = way >= kGoneM;
+    const double weight = kStandsM + (went ? way : 0);
+    bin_offset_ += weight * (went ? (bin_from_offset_ + offset_m) / 2 : offset_m);
+    if (went || bin_weight_ == 0) {
+        bin_from_ = at;
+        bin_from_offset_ = offset_m;
+    }
+    bin_weight_ += weight;
+}
+
 void PracticeTracker::close_bin(int tool, double) noexcept {
-    if (bin_ < 0 || bin_samples_ == 0) return;
-    const double mean = bin_offset_ / bin_samples_;
+    if (bin_ < 0 || bin_weight_ == 0) return;
+    const double mean = bin_offset_ / bin_weight_;
     emit(sim::EventKind::kTraced, bin_, mean, tool, sim::Vec3::Zero());
     if (mean <= step().tolerance_m && traced_[static_cast<size_t>(bin_)] == 0) {
         traced_[static_cast<size_t>(bin_)] = 1;
@@ -188,13 +204,10 @@ bool PracticeTracker::did_trace(const sim::ToolSample& tool, int index, double t
     if (bin != bin_ || strays != strayed) {
         close_bin(index, time_s);
         bin_ = bin;
-        bin_samples_ = 0;
+        bin_weight_ = 0;
         bin_offset_ = 0;
     }
-    if (bin >= 0) {
-        ++bin_samples_;
-        bin_offset_ += std::abs(foot.offset);
-    }
+    if (bin >= 0) weigh_offset(tip(tool).head<2>(), std::abs(foot.offset));
     progress_ = static_cast<double>(bins_done_) / kBinsEnough;
     return bins_done_ >= kBinsEnough;
 }

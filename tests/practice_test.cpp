@@ -176,6 +176,50 @@ TEST(Practice, TracingMeasuresTheDistanceFromTheLine) {
     EXPECT_GT(*metrics.find("trace_coverage_percent"), 95);
 }
 
+/// Value of the only pass: out to `peak_m` from the line and back, then so many samples of
+/// standing, with a hand that trembles by `tremble_m`.
+double wobble(double peak_m, int standing, double tremble_m = 0) {
+    Attempt attempt({{.kind = PracticeKind::kTrace, .tolerance_m = 0.001}});
+    attempt.tool(0).tip_gap_m = 0.0002F;
+    constexpr double kAngle = 0.5 * 2 * std::numbers::pi / sim::kTraceBins;  // middle of the first
+    const auto see_at = [&](double offset) {
+        const double r = 0.005 + offset;
+        attempt.tip(0, Vec3(r * std::cos(kAngle), r * std::sin(kAngle), 0));
+        attempt.see();
+    };
+    for (int i = 0; i <= 20; ++i) see_at(peak_m * i / 20);
+    for (int i = 0; i < standing; ++i) see_at(i % 2 == 0 ? 0 : tremble_m);
+    (void)attempt.metrics();
+    double value = -1;
+    for (const sim::Event& e : attempt.recording.events)
+        if (e.kind == sim::EventKind::kTraced) value = static_cast<double>(e.value2);
+    return value;
+}
+
+TEST(Practice, StandingStillOnTheLineThinsOutNoWobble) {
+    // Out and back along a straight way: half of the farthest offset, however long it stands then.
+    EXPECT_NEAR(wobble(0.0029, 1), 0.00145, 2e-5);
+    EXPECT_NEAR(wobble(0.0029, 500), 0.00145, 2e-5);
+    EXPECT_NEAR(wobble(0.0029, 500, 0.00008), 0.00145, 2e-5) << "trembling is no way";
+    // Who stands and goes nowhere has the distance at which it stood.
+    EXPECT_NEAR(wobble(0, 100), 0, 1e-6);
+}
+
+TEST(Practice, AnEvenTraceIsWorthTheSameWithStopsAndWithout) {
+    for (const double offset : {0.0002, 0.0006}) {
+        Attempt even({{.kind = PracticeKind::kTrace, .tolerance_m = 0.001}}),
+            stops({{.kind = PracticeKind::kTrace, .tolerance_m = 0.001}});
+        go_around(even, offset, 180);
+        for (int i = 0; i < 3; ++i) {
+            go_around(stops, offset, 60);
+            stops.see(300);
+        }
+        go_around(stops, offset, 180);
+        EXPECT_NEAR(*even.metrics().find("trace_error_mm"), 1e3 * offset, 0.02 * 1e3 * offset);
+        EXPECT_NEAR(*stops.metrics().find("trace_error_mm"), 1e3 * offset, 0.02 * 1e3 * offset);
+    }
+}
+
 TEST(Practice, TracingFarFromTheLineIsAFaultAndNoPass) {
     Attempt attempt({{.kind = PracticeKind::kTrace, .tolerance_m = 0.001}});
     go_around(attempt, 0.0001, 180);

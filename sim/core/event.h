@@ -63,7 +63,7 @@ enum class EventKind : uint16_t {
     kStepDone = 61,       ///< value = step, value2 = seconds that it took
     kTargetTouched = 62,  ///< value = step, value2 = distance from it [m]
     kTargetMissed = 63,   ///< tissue touched beside it; as above
-    kTraced = 64,         ///< value = bin of the contour, value2 = mean offset [m]
+    kTraced = 64,         ///< value = bin of the contour, value2 = mean offset over the way [m]
     kTractionHeld = 65,   ///< value = seconds in the band, value2 = peak [N]
     kBiteEntry = 66,      ///< value = step, value2 = distance of a needle's entry from its mark [m]
     kBiteExit = 67,       ///< the same of its exit; distances along the tissue at rest
