@@ -88,6 +88,7 @@ std::vector<std::string> fill_study(db::Store& store, const std::string& scratch
             step.step = "procedure_" + std::to_string(attempt + 1);
             step.attempt_id = store.attempts().save(anybody, result);
             store.studies().record_step(step);
+            store.attempts().set_replay(step.attempt_id, db::ReplayState::kIdentical);
         }
     }
     return codes;
@@ -204,6 +205,32 @@ TEST_F(DatasetPrograms, OnlyThoseWhoAgreedAreInAStudysDataSet) {
     EXPECT_EQ(none.status, 2);
     EXPECT_THAT(none.err, HasSubstr("did not agree to \"sell\""));
     EXPECT_THAT(ctl("audit").out, HasSubstr("export.dataset"));
+}
+
+TEST_F(DatasetPrograms, WhatWaitsForItsReplayIsNotGivenAway) {
+    db::StoreOptions options;
+    options.cheap_passwords = true;
+    const auto opened = db::open_store("sqlite:" + store, options);
+    const std::vector<std::string> codes = fill_study(*opened, file("in/s.placode"));
+    std::vector<int64_t> ids;
+    int64_t waits = 0;  // the last one of the first participant
+    for (const db::StepRecord& step : opened->studies().steps("face_content_validity")) {
+        if (step.attempt_id == 0) continue;
+        ids.push_back(step.attempt_id);
+        if (step.participant == codes[0]) waits = step.attempt_id;
+    }
+    ASSERT_EQ(ids.size(), 8U);
+    for (const int64_t id : ids) opened->attempts().set_replay(id, db::ReplayState::kWaiting);
+    const Outcome none = dataset("--study face_content_validity --out no");
+    EXPECT_EQ(none.status, 2);
+    EXPECT_THAT(none.err, HasSubstr("6 attempts that do not count, or not before"));
+    for (const int64_t id : ids)
+        if (id != waits) opened->attempts().set_replay(id, db::ReplayState::kIdentical);
+    const Outcome made = dataset("--json --study face_content_validity --out set");
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_EQ(number_in(made.out, "demonstrations"), 5);
+    EXPECT_EQ(number_in(made.out, "not_counted"), 1);
+    EXPECT_EQ(number_in(made.out, "left_out"), 2) << "of who did not agree";
 }
 
 TEST_F(DatasetPrograms, APersonsRecordingInAFolderIsRefused) {

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "batches/plan.h"
+#include "db/attempt_counting.h"
 #include "db/consent.h"
 #include "db/evidence.h"
 #include "db/recording_file.h"
@@ -38,7 +39,8 @@ struct DatasetOptions {
 struct Chosen {
     std::vector<reports::Demonstration> demonstrations;
     std::string origin, consent;
-    int left_out = 0;
+    int left_out = 0;     ///< Of people who did not agree.
+    int not_counted = 0;  ///< Void, or not verified yet.
 };
 
 /// Points as of now, by the program's own task where it has it, else by the recording's.
@@ -101,8 +103,10 @@ Chosen from_study(Session& session, const DatasetOptions& options, const fs::pat
             ++chosen.left_out;
             continue;
         }
-        if (!session.store().attempts().detail(step.attempt_id).record.void_reason.empty())
+        if (!db::counts(session.store().attempts().detail(step.attempt_id).record)) {
+            ++chosen.not_counted;
             continue;
+        }
         const fs::path file = workplace / (std::to_string(step.attempt_id) + ".placode");
         try {
             session.store().attempts().extract_recording(step.attempt_id, file.string());
@@ -149,7 +153,10 @@ int dataset(const Context& context, const DatasetOptions& options) {
     if (chosen.demonstrations.empty())
         throw InputError(
             "dataset: no attempt may be given away: " + sim::counted(chosen.left_out, "attempt") +
-            " of people who did not agree to \"" + options.statement + "\"");
+            " of people who did not agree to \"" + options.statement + "\"" +
+            (chosen.not_counted > 0 ? ", " + sim::counted(chosen.not_counted, "attempt") +
+                                          " that do not count, or not before `placodectl verify`"
+                                    : ""));
     how.origin = chosen.origin;
     how.consent = chosen.consent;
     how.left_out = chosen.left_out;
@@ -168,11 +175,16 @@ int dataset(const Context& context, const DatasetOptions& options) {
           {{"folder", options.out},
            {"demonstrations", chosen.demonstrations.size()},
            {"left_out", chosen.left_out},
+           {"not_counted", chosen.not_counted},
            {"read_back", "identical"},
            {"files", files}},
           options.out + ": " + sim::counted(chosen.demonstrations.size(), "demonstration") +
               (chosen.left_out > 0
                    ? ", " + std::to_string(chosen.left_out) + " left out for want of consent"
+                   : "") +
+              (chosen.not_counted > 0
+                   ? ", " + std::to_string(chosen.not_counted) +
+                         " left out because they do not count, or not before `placodectl verify`"
                    : "") +
               "; read back and compared");
     return 0;
