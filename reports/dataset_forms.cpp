@@ -89,6 +89,7 @@ Row attempt_row(const db::AttemptDetail& attempt, const std::string& owner) {
     row.demonstration = record.demonstration;
     row.attempt_id = record.id;
     row.counts = db::counts(record);
+    row.waits = record.replay == db::ReplayState::kWaiting;
     row.values = {{"counts", row.counts ? "1" : "0"},
                   {"attempt_id", std::to_string(record.id)},
                   {"task_version", std::to_string(record.task_version)},

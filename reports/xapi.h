@@ -17,7 +17,8 @@ struct XapiStatement {
 };
 
 /// In the order of the file that the export writes. People are pseudonyms; identifying fields have
-/// no statement.
+/// no statement, and an attempt has none while it waits for its replay: a record store keeps what
+/// it was told first.
 [[nodiscard]] std::vector<XapiStatement> xapi_statements(const Dataset& data);
 
 }  // namespace placode::reports

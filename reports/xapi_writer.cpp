@@ -201,11 +201,13 @@ Cells read_cells(const Dataset& data, const std::string& path) {
     return cells;
 }
 
-QJsonArray statements_of(const Dataset& data) {
+/// `settled` = only what will be said in the same words whenever it is asked for.
+QJsonArray statements_of(const Dataset& data, bool settled) {
     QJsonArray statements;
     for (const Form& form : data.forms) {
         if (!has_statements(form)) continue;
         for (const Row& row : form.rows) {
+            if (settled && row.waits) continue;
             if (form.id == "attempts") {
                 statements.append(attempted(data, form, row));
                 continue;
@@ -222,7 +224,7 @@ QJsonArray statements_of(const Dataset& data) {
 
 std::vector<XapiStatement> xapi_statements(const Dataset& data) {
     std::vector<XapiStatement> all;
-    for (const QJsonValue& each : statements_of(data))
+    for (const QJsonValue& each : statements_of(data, true))
         all.push_back(
             {each["id"].toString().toStdString(), each["timestamp"].toString().toStdString(),
              QJsonDocument(each.toObject()).toJson(QJsonDocument::Compact).toStdString()});
@@ -231,7 +233,7 @@ std::vector<XapiStatement> xapi_statements(const Dataset& data) {
 
 void write_xapi(const ExportSource& source, const std::string& folder) {
     save_file(path_of(folder, source.data),
-              QJsonDocument(statements_of(source.data)).toJson().toStdString());
+              QJsonDocument(statements_of(source.data, false)).toJson().toStdString());
 }
 
 void verify_xapi(const ExportSource& source, const std::string& folder) {

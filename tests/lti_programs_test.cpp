@@ -361,6 +361,25 @@ TEST_F(XapiPrograms, PeopleAreNumbersAndOnlyWhatIsNewGoes) {
     EXPECT_EQ(send("--user anna --study x").status, 2);
 }
 
+TEST_F(XapiPrograms, AnAttemptIsSentWhenItIsVerifiedAndNotBefore) {
+    add_people();
+    const auto direct = db::open_store("sqlite:" + store);
+    direct->act_as("test");
+    const int64_t exam = attempt("anna", 88);
+    direct->attempts().set_replay(exam, db::ReplayState::kWaiting);
+    EXPECT_EQ(number_in(send("--user anna").out, "sent"), 3) << "the others";
+    const auto others = platform.statements;
+    direct->attempts().set_replay(exam, db::ReplayState::kIdentical);
+    EXPECT_EQ(number_in(send("--user anna").out, "sent"), 1);
+    ASSERT_EQ(platform.statements.size(), 4U);
+    for (const auto& [id, each] : platform.statements) {
+        if (others.contains(id)) continue;
+        EXPECT_EQ(each["result"]["score"]["raw"], 88);
+        EXPECT_THAT(each["verb"]["id"].get<std::string>(), testing::EndsWith("/passed"));
+    }
+    EXPECT_EQ(number_in(send("--user anna").out, "sent"), 0);
+}
+
 TEST_F(XapiPrograms, TroubleOfTheRecordStoreIsSaidWithoutThePassword) {
     add_people();
     platform.answers_first = {503, 500};

@@ -136,7 +136,9 @@ void add_xapi_command(CLI::App& app, Context& context) {
     xapi->require_subcommand(1);
     auto options = std::make_shared<XapiOptions>();
     CLI::App* command = xapi->add_subcommand(
-        "send", "Send what `export xapi` writes; what was sent before is not sent again");
+        "send",
+        "Send what `export xapi` writes, but for attempts that wait for `verify`; what was sent "
+        "before is not sent again");
     command
         ->add_option("--endpoint", options->endpoint,
                      "Of the record store, without /statements; https")
