@@ -161,9 +161,10 @@ class AssignCard : public QFrame {
             if (!each.ended_utc.empty()) continue;
             QPushButton* end = make_button(context_, tr("End"), "quiet");
             end->setObjectName(QString("end_assignment_%1").arg(row));
-            end->setAccessibleName(tr("End the assignment to %1").arg(nameOf(each)));
+            const QString name = nameOf(each);
+            end->setAccessibleName(tr("End the assignment to %1").arg(name));
             connect(
-                end, &QPushButton::clicked, this, [this, each] { this->end(each); },
+                end, &QPushButton::clicked, this, [this, each, name] { this->end(each, name); },
                 Qt::QueuedConnection);
             table_->setCellWidget(row, 5, end);
         }
@@ -176,10 +177,10 @@ class AssignCard : public QFrame {
         empty_->setVisible(shown.empty());
     }
 
-    void end(const db::AssignmentRecord& each) {
+    void end(const db::AssignmentRecord& each, const QString& name) {
         if (!confirm(this, tr("End the assignment?"),
                      tr("%1 is no longer asked to do the course. Attempts and certificates stay.")
-                         .arg(nameOf(each)),
+                         .arg(name),
                      tr("End")))
             return;
         context_.guard(tr("Ending the assignment"), [&] {

@@ -89,7 +89,12 @@ class StandardsPage : public Page {
         shown_ = tasks_->currentIndex();
         groups_.clear();
         angoff_.clear();
-        showTask();
+        showTaskOrSay();
+    }
+
+    /// For what is called when no page is being made: rights may have gone, or a server.
+    void showTaskOrSay() {
+        context_.guard(tr("Reading the attempts"), [this] { showTask(); });
     }
 
     void read() {
@@ -180,7 +185,7 @@ class StandardsPage : public Page {
             const int version =
                 db::set_standard(context_.store(), standard, reason.trimmed().toStdString());
             QMetaObject::invokeMethod(
-                this, [this] { showTask(); }, Qt::QueuedConnection);
+                this, [this] { showTaskOrSay(); }, Qt::QueuedConnection);
             Q_EMIT notice(tr("The standard is set (version %1). Attempts from now on are judged by "
                              "it; earlier ones keep their verdict.")
                               .arg(version));

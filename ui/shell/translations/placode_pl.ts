@@ -5482,6 +5482,10 @@
 <context>
     <name>StandardsPage</name>
     <message>
+        <source>Reading the attempts</source>
+        <translation>Odczyt prób</translation>
+    </message>
+    <message>
         <source>Standards</source>
         <translation>Progi</translation>
     </message>
