@@ -84,6 +84,7 @@ class ShellProtocolsTest : public QObject {
     void definitionsGoOutAndIn();
     void unsavedTextIsAskedAbout();
     void theFormWaitsForTextThatCanBeRead();
+    void theFormTakesWhatIsOfAnotherKind();
     void whatWasRemovedIsPutBack();
 
  private:
@@ -501,6 +502,27 @@ void ShellProtocolsTest::theFormWaitsForTextThatCanBeRead() {
     QTest::keyClick(shell_->find<QLineEdit>("form_id"), Qt::Key_X);  // It is gone afterwards.
     QCOMPARE(json()->toPlainText(), mended);
     QVERIFY(QTest::qWaitFor([&] { return list()->count() == 9; }, 5000));
+}
+
+// JSON can be read and be of another kind than any definition: it ended the program.
+void ShellProtocolsTest::theFormTakesWhatIsOfAnotherKind() {
+    shell_->window().visit({PageId::kProtocols, 0, {}, {{"kind", "study"}}});
+    QVERIFY(shell_->arrives(PageId::kProtocols));
+    json()->setPlainText(R"({"id": 7, "arms": [], "consent": "", "steps": {"a": [5]}})");
+    QVERIFY(statusSays("found"));
+    list()->setCurrentRow(2);
+    auto* names = shell_->find<QPlainTextEdit>("form_names");
+    QVERIFY(names != nullptr);
+    names->setPlainText("A");
+    QVERIFY(json()->toPlainText().contains("\"A\""));
+    for (int row = 0; row < list()->count(); ++row) list()->setCurrentRow(row);
+    const QString deep =
+        R"({"arms": )" + QString("[").repeated(100000) + QString("]").repeated(100000) + "}";
+    json()->setPlainText(deep);
+    QVERIFY(statusSays("levels of brackets"));
+    QVERIFY(!shell_->find<QPushButton>("element_add")->isEnabled());
+    json()->setPlainText(R"({"id": "x"})");
+    QVERIFY(statusSays("missing"));
 }
 
 void ShellProtocolsTest::whatWasRemovedIsPutBack() {

@@ -17,6 +17,12 @@ namespace {
 
 constexpr int kConsentRow = 1;
 
+/// Empty where something else stands: a form can only be filled into an object.
+OrderedJson object_at(const OrderedJson& definition, const char* key) {
+    const auto found = definition.find(key);
+    return found != definition.end() && found->is_object() ? *found : OrderedJson::object();
+}
+
 }  // namespace
 
 DefinitionElements::DefinitionElements(AppContext& context, bool study)
@@ -30,8 +36,8 @@ DefinitionElements::DefinitionElements(AppContext& context, bool study)
 
 void DefinitionElements::follow(const OrderedJson& definition) {
     definition_ = definition;
-    consent_ = definition.value("consent", OrderedJson::object());
-    arms_ = definition.value("arms", OrderedJson::object());
+    consent_ = object_at(definition, "consent");
+    arms_ = object_at(definition, "arms");
     fillList(std::max(0, list_->currentRow()));
 }
 

@@ -25,6 +25,8 @@
 namespace placode::ui {
 namespace {
 
+constexpr int kDeepest = 64;  // levels of brackets, as curriculum/json_reader.cpp takes
+
 class ProtocolsPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(ProtocolsPage)
  public:
@@ -211,8 +213,16 @@ class ProtocolsPage : public Page {
     /// The text leads: list and form follow where it can be read. Where it cannot, they wait: they
     /// hold what it was before, and one touch would write that over what was typed since.
     void jsonChanged() {
-        const auto read = OrderedJson::parse(json_->toPlainText().toStdString(), nullptr, false);
-        readable_ = read.is_object();
+        // What stands deeper than any definition is not taken over: copying it goes as deep.
+        bool deep = false;
+        const auto read = OrderedJson::parse(
+            json_->toPlainText().toStdString(),
+            [&deep](int depth, OrderedJson::parse_event_t, OrderedJson&) {
+                deep = deep || depth > kDeepest;
+                return depth <= kDeepest;
+            },
+            false);
+        readable_ = !deep && read.is_object();
         elements_->setEnabled(readable_);
         check();
         if (readable_) elements_->follow(read);
@@ -279,8 +289,10 @@ class ProtocolsPage : public Page {
             delete item;
         }
         leaving_ = false;
-        preview_->addWidget(
-            make_study_preview(context_, curriculum::load_study_text(text, kindText())));
+        context_.guard(tr("Preview"), [&] {
+            preview_->addWidget(
+                make_study_preview(context_, curriculum::load_study_text(text, kindText())));
+        });
     }
 
     void publish() {
