@@ -309,11 +309,12 @@ std::vector<std::string> unmarked_statements() {
     return sql;
 }
 
-/// Of all that is installed: a program whose rules are others is told so.
+/// Of all that is installed, with the rights to rows: a program whose rules are others is told so.
 const std::string& version() {
     static const std::string checksum = [] {
         std::string all = opening_statement();
         for (const std::string& each : unmarked_statements()) all += each;
+        for (const std::string& each : station_table_rights()) all += each;
         return checksum_hex(all);
     }();
     return checksum;

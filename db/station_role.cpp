@@ -52,7 +52,7 @@ constexpr std::array kRights{
     TableRight{"step_notes", "", true},
     TableRight{"participant_devices", "device, chosen_by, chosen_utc", true},
     TableRight{"consent_signatures", "path", true},
-    TableRight{"record_events", "by_name"},
+    TableRight{"record_events", "by_name, remark"},
     TableRight{"withdrawals", "mode, reason, withdrawn_by, withdrawn_utc"},
 };
 
@@ -100,6 +100,15 @@ std::vector<std::string> grants() {
         "audit TO " +
             kRole,
     };
+    for (std::string& each : station_table_rights()) sql.push_back(std::move(each));
+    for (std::string& each : station_guard_statements()) sql.push_back(std::move(each));
+    return sql;
+}
+
+}  // namespace
+
+std::vector<std::string> station_table_rights() {
+    std::vector<std::string> sql;
     for (const TableRight& right : kRights) {
         if (*right.columns != '\0')
             sql.push_back(std::string("GRANT UPDATE (") + right.columns + ") ON " + right.table +
@@ -107,11 +116,8 @@ std::vector<std::string> grants() {
         if (right.removes)
             sql.push_back(std::string("GRANT DELETE ON ") + right.table + " TO " + kRole);
     }
-    for (std::string& each : station_guard_statements()) sql.push_back(std::move(each));
     return sql;
 }
-
-}  // namespace
 
 std::vector<std::string> station_role_statements() {
     std::vector<std::string> sql{

@@ -21,7 +21,12 @@ inline constexpr const char* kStationRole = "placode_station";
 /// group where it is missing, for which a log-in needs CREATEROLE.
 [[nodiscard]] std::vector<std::string> station_role_statements();
 
-/// Runs them. Throws StoreError, kRefused for an embedded store and where the log-in may not.
+/// Those of them that let a station change and remove rows. They count into the version of the
+/// server's own rules, so that a server whose stations have other rights is given these.
+[[nodiscard]] std::vector<std::string> station_table_rights();
+
+/// Runs station_role_statements(). Throws StoreError, kRefused for an embedded store and where the
+/// log-in may not.
 void give_station_role(Connection& connection);
 
 /// After an update: gives the group its rights on new tables, where there is the group; `changed`:

@@ -48,6 +48,11 @@ void Studies::erase_participant(const std::string& study_id, const std::string& 
         .run(study_id, code);
     Statement(connection_, "DELETE FROM study_steps WHERE study_id = ? AND code = ?")
         .run(study_id, code);
+    // That a record was locked and signed stays, as the withdrawal does; what was said of it goes.
+    Statement(connection_,
+              "UPDATE record_events SET remark = '' WHERE study_id = ? AND code = ? AND remark <> "
+              "''")
+        .run(study_id, code);
 }
 
 void Studies::withdraw(const std::string& study_id, const std::string& code, WithdrawalMode mode,
@@ -85,8 +90,10 @@ void Studies::withdraw(const std::string& study_id, const std::string& code, Wit
             .run(kModes[static_cast<size_t>(mode)], reason, context_.actor.name, utc_now(),
                  study_id, code);
     if (mode == WithdrawalMode::kErase) erase_participant(study_id, code);
+    // The reason stands in `withdrawals`: what somebody said of a participant is nothing for a
+    // trail that nobody can redact.
     context_.append_audit("study.withdraw", study_id + " " + code,
-                          std::string(kModes[static_cast<size_t>(mode)]) + ": " + reason);
+                          kModes[static_cast<size_t>(mode)]);
     work.commit();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lock and signature of a participant's record. The events are never changed; where a record
-// stands follows from them.
+// Lock and signature of a participant's record. The events are never changed, but for what was
+// remarked, which an erasure blanks; where a record stands follows from them.
 
 #include "db/study_records.h"
 
@@ -75,15 +75,16 @@ std::string StudyRecords::checksum_of(const std::string& study_id, const std::st
 void StudyRecords::insert_event(RecordEvent event) {
     event.at_utc = utc_now();
     context_.touch("participant", {event.study_id, event.code});
-    Statement(connection_,
-              "INSERT INTO record_events (study_id, code, event, remark, checksum, by_login, "
-              "by_name, at_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
-        .run(event.study_id, event.code, kEvents[static_cast<size_t>(event.kind)], event.remark,
-             event.checksum, event.login, event.name, event.at_utc);
+    const std::string kind = kEvents[static_cast<size_t>(event.kind)];
+    Statement insert(connection_,
+                     "INSERT INTO record_events (study_id, code, event, remark, checksum, "
+                     "by_login, by_name, at_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
+    insert.run(event.study_id, event.code, kind, event.remark, event.checksum, event.login,
+               event.name, event.at_utc);
+    // The remark stands in the row, where an erasure blanks it; the trail stays.
     context_.append_audit_as(
-        event.login, std::string("study.record.") + kEvents[static_cast<size_t>(event.kind)],
-        event.study_id + " " + event.code,
-        event.remark + (event.remark.empty() ? "" : "; ") + "record " + event.checksum);
+        event.login, "study.record." + kind, event.study_id + " " + event.code,
+        "event " + std::to_string(insert.returned_id()) + "; record " + event.checksum);
 }
 
 void StudyRecords::lock(const std::string& study_id, const std::string& code) {

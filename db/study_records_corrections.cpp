@@ -76,19 +76,22 @@ void StudyRecords::correct_answers(int64_t answer_id, int entry, const curriculu
     for (const auto& [item, answer] : record.answers) insert.run(answer_id, item, answer);
     Statement keep(connection_,
                    "INSERT INTO answer_corrections (answer_id, entry, item, old_answer, "
-                   "new_answer, reason, corrected_by, at_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
-    std::string items;
+                   "new_answer, reason, corrected_by, at_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?) "
+                   "RETURNING id");
+    std::string items, numbers;
     for (const auto& [item, answer] : changes) {
         const auto old = before.find(item);
         const std::string was = old == before.end() ? "" : old->second;
         if (was == answer) continue;
         keep.run(answer_id, entry, item, was, answer, reason, context_.actor.name, utc_now());
         items += " " + item;
+        numbers += " " + std::to_string(keep.returned_id());
     }
     if (items.empty()) connection_.fail(Kind::kRefused, Said::that("nothing would change"));
-    context_.append_audit(
-        "study.correct", record.study_id + " " + record.participant,
-        record.questionnaire_id + (entry == 2 ? ", second entry:" : ":") + items + ": " + reason);
+    // Which corrections, never why: the trail stays when the participant's data are erased.
+    context_.append_audit("study.correct", record.study_id + " " + record.participant,
+                          record.questionnaire_id + (entry == 2 ? ", second entry:" : ":") + items +
+                              "; correction" + numbers);
     work.commit();
 }
 

@@ -40,9 +40,10 @@ void StudyRecords::repeat_step(const std::string& study_id, const std::string& c
                   "INSERT INTO superseded_steps (step_id, reason, superseded_by, superseded_utc) "
                   "VALUES (?, ?, ?, ?)")
             .run(id, reason, context_.actor.name, utc_now());
+    // Why stands in the rows, which go with the participant's data; the trail stays.
     context_.append_audit("study.repeat", study_id + " " + code,
                           step + ", visit " + std::to_string(visit) + ", instead of attempt " +
-                              std::to_string(attempt) + ": " + reason);
+                              std::to_string(attempt));
     work.commit();
 }
 
@@ -56,11 +57,13 @@ void StudyRecords::note_step(const std::string& study_id, const std::string& cod
     context_.need_participant(study_id, code);
     context_.need_unlocked(study_id, code);
     context_.touch("participant", {study_id, code});
-    Statement(connection_,
-              "INSERT INTO step_notes (study_id, code, visit, step, note, noted_by, at_utc) VALUES "
-              "(?, ?, ?, ?, ?, ?, ?)")
-        .run(study_id, code, visit, step, note, context_.actor.name, utc_now());
-    context_.append_audit("study.note", study_id + " " + code, step + ": " + note);
+    Statement insert(connection_,
+                     "INSERT INTO step_notes (study_id, code, visit, step, note, noted_by, at_utc) "
+                     "VALUES (?, ?, ?, ?, ?, ?, ?) RETURNING id");
+    insert.run(study_id, code, visit, step, note, context_.actor.name, utc_now());
+    // Which note, never what: the trail stays when the participant's data are erased.
+    context_.append_audit("study.note", study_id + " " + code,
+                          step + ": note " + std::to_string(insert.returned_id()));
     work.commit();
 }
 

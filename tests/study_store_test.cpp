@@ -337,7 +337,8 @@ TEST_P(StudyStore, AProcedureIsDoneAgainForAReasonAndBothAreKept) {
               StoreError::Kind::kNotFound);
     records.repeat_step("pilot", code, 1, "run", "the pedal was unplugged");
     EXPECT_EQ(store->audit().trail(1).at(0).action, "study.repeat");
-    EXPECT_THAT(store->audit().trail(1).at(0).detail, HasSubstr("the pedal was unplugged"));
+    EXPECT_EQ(store->audit().trail(1).at(0).detail,
+              "run, visit 1, instead of attempt " + std::to_string(first));
     EXPECT_EQ(refused("run", "twice"), StoreError::Kind::kRefused) << "nothing counts any more";
     auto progress = db::study_progress(*store, "pilot").at(0);
     EXPECT_EQ(progress.next, "run");
@@ -385,6 +386,37 @@ TEST_P(StudyStore, NotesAreKeptWithWhoWroteThemAndBelongToTheSignedRecord) {
     EXPECT_TRUE(records.states("pilot").at(code).signature_fits);
     ASSERT_TRUE(raw().run("UPDATE step_notes SET note = 'something else'"));
     EXPECT_FALSE(records.states("pilot").at(code).signature_fits);
+}
+
+/// The trail is kept longer than a participant's data, and nobody can redact it.
+TEST_P(StudyStore, WhatWasSaidOfAParticipantGoesWithTheErasure) {
+    store->definitions().publish(study(1));
+    store->accounts().create({"carl", "Carl", "correct horse battery", 4, false});
+    store->act_as("carl");
+    db::StudyRecords& records = store->records();
+    const std::string code = store->studies().new_participant("pilot");
+    store->studies().record_step(step(code, "consent"));
+    perform(code);
+    records.note_step("pilot", code, 1, "run", "coughed");
+    EXPECT_EQ(store->audit().trail(1).at(0).detail,
+              "run: note " + std::to_string(records.step_notes("pilot").at(0).id));
+    records.repeat_step("pilot", code, 1, "run", "squinted 12");
+    records.lock("pilot", code);
+    records.sign("pilot", code, "carl", "correct horse battery", "reviewed 56");
+    records.unlock("pilot", code, "mistyped 34");
+    EXPECT_EQ(records.events("pilot").back().remark, "mistyped 34");
+    EXPECT_THAT(store->audit().trail(1).at(0).detail,
+                HasSubstr("event " + std::to_string(records.events("pilot").back().id) + ";"));
+    store->studies().withdraw("pilot", code, WithdrawalMode::kStop, "fainted 78");
+    store->studies().withdraw("pilot", code, WithdrawalMode::kErase, "not given");
+    for (const db::AuditRecord& entry : store->audit().trail(1000))
+        for (const char* said :
+             {"coughed", "squinted 12", "reviewed 56", "mistyped 34", "fainted 78"})
+            EXPECT_THAT(entry.object + " " + entry.detail, testing::Not(HasSubstr(said)));
+    ASSERT_EQ(records.events("pilot").size(), 3u) << "what happened to the record stays";
+    for (const db::RecordEvent& event : records.events("pilot")) EXPECT_EQ(event.remark, "");
+    EXPECT_EQ(raw().value("SELECT COUNT(*) FROM withdrawals WHERE reason = 'not given'"), "1");
+    EXPECT_TRUE(store->check().empty());
 }
 
 TEST_P(StudyStore, AnAttemptThatIsTooShortOrVoidDoesNotDoTheStep) {
