@@ -117,6 +117,31 @@ void remove_half_made(const std::vector<std::string>& backups, const StoreUrl& u
     if (is_file(url)) remove_sqlite_file(url.path + kRestoringSuffix);
 }
 
+/// What nothing goes through: backups that did not pass their check or whose place is unknown, and
+/// where the store has been. @param gone of backups that are not where they were made, sorted
+std::vector<LeftCopy> out_of_reach(Store& store, const std::string& url,
+                                   const std::vector<std::string>& backups,
+                                   std::vector<std::string>& gone) {
+    std::vector<LeftCopy> left;
+    std::set<std::string> missing, unknown;
+    for (const std::string& path : backups) {
+        if (fs::path(path).is_relative()) {
+            unknown.insert(path);
+            continue;
+        }
+        if (!fs::exists(path)) missing.insert(path);
+        if (fs::exists(path + kFailedSuffix))
+            left.push_back({path + kFailedSuffix, "a backup that did not pass its check"});
+    }
+    gone.assign(missing.begin(), missing.end());
+    for (const std::string& path : unknown)
+        left.push_back({path,
+                        "a backup whose place is unknown: an earlier version wrote it down without "
+                        "its folder"});
+    for (LeftCopy& place : old_places(store, url)) left.push_back(std::move(place));
+    return left;
+}
+
 fs::path beside(const StoreUrl& url) { return fs::absolute(url.path).parent_path() / "recordings"; }
 
 /// Recordings beside an embedded store that a crash has left: with a file that says whose they are.
@@ -188,6 +213,24 @@ std::vector<std::string> copies_of(Store& store, const std::string& url) {
     return copies_among(backups_of(store), parse_store_url(url));
 }
 
+std::vector<LeftCopy> copies_with_records(const std::string& url) {
+    const StoreUrl parsed = parse_store_url(url);
+    if (!is_file(parsed)) return {};
+    std::vector<LeftCopy> left;
+    try {
+        const auto store = open_store(url);
+        const std::vector<std::string> backups = backups_of(*store);
+        for (const std::string& path : copies_among(backups, parsed))
+            left.push_back({path, "a copy of the store; a restore of it erases again"});
+        std::vector<std::string> gone;  // Mostly old backups, of which only the newest are kept.
+        for (LeftCopy& each : out_of_reach(*store, url, backups, gone))
+            left.push_back(std::move(each));
+    } catch (const std::exception& error) {
+        left.push_back({"all copies", std::string("their list cannot be read: ") + error.what()});
+    }
+    return left;
+}
+
 Erasure erase_person(Store& store, const std::string& url, int64_t user_id, bool with_attempts) {
     Erasure done{user_id, with_attempts, utc_now(), {}, {}, {}, {}, {}, {}};
     const std::optional<UserRecord> user = store.accounts().find(user_id);
@@ -200,23 +243,9 @@ Erasure erase_person(Store& store, const std::string& url, int64_t user_id, bool
         }
         done.store = store.audit().head().store;
         const std::vector<std::string> backups = backups_of(store);
-        std::set<std::string> gone, unknown;
-        for (const std::string& path : backups) {
-            if (fs::path(path).is_relative()) {
-                unknown.insert(path);
-                continue;
-            }
-            if (!fs::exists(path)) gone.insert(path);
-            if (fs::exists(path + kFailedSuffix))
-                done.left.push_back({path + kFailedSuffix, "a backup that did not pass its check"});
-        }
-        done.gone.assign(gone.begin(), gone.end());
-        for (const std::string& path : unknown)
-            done.left.push_back({path,
-                                 "a backup whose place is unknown: an earlier version wrote it "
-                                 "down without its folder"});
         copies = copies_among(backups, parse_store_url(url));
-        for (LeftCopy& place : old_places(store, url)) done.left.push_back(std::move(place));
+        for (LeftCopy& each : out_of_reach(store, url, backups, done.gone))
+            done.left.push_back(std::move(each));
         remove_half_made(backups, parse_store_url(url));
     } catch (const std::exception& error) {
         done.left.push_back(

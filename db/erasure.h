@@ -37,6 +37,12 @@ struct Erasure {
 /// its trail names. Of a server: none.
 [[nodiscard]] std::vector<std::string> copies_of(Store& store, const std::string& url);
 
+/// Copies that may still hold the records of a participant who was just erased in the embedded
+/// store at `url`: nothing goes through them, and a restore of one erases again (db/ended_again.h).
+/// Opens the file by itself, because whoever may erase such records may not read where backups lie.
+/// Of a server: none. Throws nothing but for an address that cannot be read.
+[[nodiscard]] std::vector<LeftCopy> copies_with_records(const std::string& url);
+
 /// Where an embedded store's recordings lie until they are saved; "" of a server, where each
 /// computer has a folder of its own.
 [[nodiscard]] std::string recordings_beside(const std::string& url);

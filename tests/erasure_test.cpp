@@ -7,6 +7,7 @@
 #include <chrono>
 #include <fstream>
 
+#include "db/ended_again.h"
 #include "db/signature.h"
 #include "db/trail_head.h"
 #include "tests/store_fixture.h"
@@ -17,6 +18,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
+using testing::SizeIs;
 
 namespace THIS_TEST {
 
@@ -37,6 +39,21 @@ class Erasure : public testing::Test {
     void backup(const std::string& name) const { open()->backup(file(name)); }
     db::Erasure erase(bool with_attempts = false) const {
         return db::erase_person(*open(), url(), zofia, with_attempts);
+    }
+    /// Takes part in a study, has signed and answered.
+    static std::string participant(db::Store& store) {
+        const std::string code = store.studies().new_participant("pilot");
+        store.records().save_consent_signature("pilot", code, "M1 2 L3 4");
+        answer(store, code);
+        return code;
+    }
+    static void answer(db::Store& store, const std::string& code) {
+        db::AnswerRecord record;
+        record.study_id = "pilot";
+        record.participant = code;
+        record.questionnaire_id = "sus";
+        record.answers = {{"sus01", "4"}};
+        store.studies().save_answers(record);
     }
     /// Somebody who reads the disk: the log-in or the name, in the file or its log.
     [[nodiscard]] bool names_her(const std::string& name) const {
@@ -170,6 +187,78 @@ TEST_F(Erasure, ComesAgainWithARestore) {
     db::open_store(other, options)->accounts().create({"bob", "Bob", "correct horse", 8, false});
     db::restore_store(other, file("on_a_stick.db"));
     EXPECT_TRUE(db::open_store(other, options)->accounts().find(zofia));
+}
+
+TEST_F(Erasure, ARestoreBringsBackNothingThatAParticipantWithdrew) {
+    std::vector<std::string> codes;
+    {
+        const auto store = open();
+        for (int i = 0; i < 4; ++i) codes.push_back(participant(*store));
+    }
+    backup("day_before.db");
+    open()->studies().withdraw("pilot", codes[0], db::WithdrawalMode::kErase, "asked for it");
+    open()->studies().withdraw("pilot", codes[1], db::WithdrawalMode::kStop, "moved away");
+    open()->studies().erase_kept("pilot", codes[2], "2020-01-01T00:00:00Z");
+    const auto check = [&] {
+        const auto restored = open();
+        const auto people = restored->studies().participants("pilot");
+        ASSERT_THAT(people, SizeIs(4));
+        EXPECT_EQ(people[0].withdrawal, db::WithdrawalMode::kErase);
+        EXPECT_EQ(people[0].withdrawal_reason, "asked for it") << "it stands in no trail";
+        EXPECT_EQ(people[1].withdrawal, db::WithdrawalMode::kStop);
+        EXPECT_EQ(people[1].withdrawal_reason, "moved away");
+        EXPECT_FALSE(people[2].withdrawal) << "the time was over";
+        std::vector<std::string> answered;
+        for (const auto& each : restored->studies().answers("pilot"))
+            answered.push_back(each.participant);
+        EXPECT_THAT(answered, ElementsAre(codes[1], codes[3]));
+        for (const size_t gone : {0U, 2U})
+            EXPECT_FALSE(restored->records().consent_signature("pilot", codes[gone]));
+        EXPECT_THAT(db::done_again(*restored),
+                    ElementsAre("pilot " + codes[0] + ": erase", "pilot " + codes[1] + ": stop",
+                                "pilot " + codes[2] + ": kept until 2020-01-01T00:00:00Z"));
+        EXPECT_THAT(restored->check(), IsEmpty());
+    };
+    db::restore_store(url(), file("day_before.db"));
+    check();
+    db::restore_store(url(), file("day_before.db"));
+    check();
+    // What was given after it, and what the backup knows of already, stays as it is.
+    answer(*open(), codes[2]);
+    backup("later.db");
+    db::restore_store(url(), file("later.db"));
+    EXPECT_THAT(open()->studies().answers("pilot"), SizeIs(3));
+    EXPECT_THAT(db::done_again(*open()), IsEmpty());
+}
+
+TEST_F(Erasure, WithdrawalsOfAnEarlierVersionAreReadWithTheirReason) {
+    const auto entry = [](const char* action, const char* object, const char* detail) {
+        return db::AuditRecord{7, "2026-01-02T03:04:05.000Z", "carl", action, object, detail};
+    };
+    const auto found = db::ended_records(
+        {entry("study.withdraw", "a study P001-C", "erase: moved away"),
+         entry("study.withdraw", "pilot P002-X", "stop"), entry("study.withdraw", "pilot", "stop"),
+         entry("study.withdraw", "pilot P003-Y", "what is this"),
+         entry("study.retention", "pilot P004-Z", "kept until 2020-01-01T00:00:00Z")});
+    ASSERT_THAT(found, SizeIs(3));
+    EXPECT_EQ(found[0].study, "a study");
+    EXPECT_EQ(found[0].code, "P001-C");
+    EXPECT_EQ(found[0].mode, db::WithdrawalMode::kErase);
+    EXPECT_EQ(found[1].mode, db::WithdrawalMode::kStop);
+    EXPECT_FALSE(found[2].mode);
+    EXPECT_EQ(found[2].until_utc, "2020-01-01T00:00:00Z");
+}
+
+TEST_F(Erasure, NamesTheCopiesThatMayHoldAParticipantsRecords) {
+    backup("one.db");
+    backup("gone.db");
+    fs::remove(file("gone.db"));
+    fs::copy_file(file("one.db"), file("placode.db.replaced-20260101T000000000Z"));
+    std::vector<std::string> paths;
+    for (const db::LeftCopy& each : db::copies_with_records(url())) paths.push_back(each.path);
+    EXPECT_THAT(paths,
+                ElementsAre(file("one.db"), file("placode.db.replaced-20260101T000000000Z")));
+    EXPECT_THAT(db::copies_with_records("postgresql://a@b/c"), IsEmpty());
 }
 
 TEST_F(Erasure, KeepsTheLastAdministratorOfACopyAndSaysSo) {

@@ -188,6 +188,15 @@ TEST_F(Programs, AProcedureOfAStudyIsJudgedRepeatedAndNotedOnTheCommandLine) {
     EXPECT_THAT(read_text(file("csv/face_content_validity_deviations.csv")),
                 HasSubstr("coughed twice"));
     EXPECT_THAT(ctl("audit").out, AllOf(HasSubstr("study.repeat"), HasSubstr("study.note")));
+    // Who erases is told where the data still are, and a restore erases them again.
+    ASSERT_EQ(ctl("backup before.db").status, 0);
+    const Outcome erased = carl("study withdraw" + of_code + "--mode erase --reason 'not given'");
+    EXPECT_EQ(erased.status, 0) << erased.err;
+    EXPECT_THAT(erased.out, AllOf(HasSubstr("may still hold the data: "), HasSubstr("before.db")));
+    const Outcome restored = ctl("restore before.db");
+    EXPECT_EQ(restored.status, 0) << restored.err;
+    EXPECT_THAT(restored.out, HasSubstr("face_content_validity " + code + ": erase"));
+    EXPECT_THAT(carl("study status face_content_validity").out, HasSubstr("data are erased"));
 }
 
 }  // namespace THIS_TEST

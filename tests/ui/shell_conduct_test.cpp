@@ -8,6 +8,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLabel>
 #include <QPlainTextEdit>
 #include <QRadioButton>
 #include <set>
@@ -218,8 +219,14 @@ void ShellConductTest::withdrawalKeepsStopsOrErases() {
     using db::WithdrawalMode;
     withdraw(1, WithdrawalMode::kKeep);
     if (!QTest::currentTestFailed()) withdraw(2, WithdrawalMode::kStop);
+    QVERIFY(shell_->find<QLabel>("copies_left") == nullptr);
+    const QString copy = shell_->path("before_the_erasure.db");
+    store().backup(copy.toStdString());
     if (!QTest::currentTestFailed()) withdraw(3, WithdrawalMode::kErase);
     if (QTest::currentTestFailed()) return;
+    const auto* left = shell_->find<QLabel>("copies_left");
+    QVERIFY(left != nullptr && left->text().contains(copy));
+    QVERIFY(left->text().contains(qstr(codes_[3])));
     const auto all = store().studies().participants(kStudy);
     QCOMPARE(all.size(), size_t(4));  // A tombstone stays of everybody.
     QVERIFY(!all[0].withdrawal);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <regex>
 
+#include "db/ended_again.h"
 #include "db/erasure.h"
 #include "db/store_url.h"
 #include "ui/cli/centre_passphrase.h"
@@ -118,16 +119,25 @@ int restore(const Context& context, const std::string& path) {
     const std::string url = store_url_of(context);
     const std::string actor = who_restores(context, url);
     const std::string aside = restored(url, path, actor);
-    const auto last = db::open_store(url)->audit().trail(1);
+    const auto store = db::open_store(url);
+    const auto last = store->audit().trail(1);
     const bool unknown = !last.empty() && last.front().detail == db::kErasuresUnknown;
+    const std::vector<std::string> again = db::done_again(*store);
     Json json{{"store", db::parse_store_url(url).shown},
               {"restored_from", path},
-              {"erasures_unknown", unknown}};
+              {"erasures_unknown", unknown},
+              {"done_again", again}};
     if (!aside.empty()) json["old_store"] = aside;
+    std::string ended;
+    for (const std::string& each : again) ended += "\n  " + each;
+    if (!ended.empty())
+        ended = "\nerased or withdrawn since this backup, and so again in the store:" + ended;
     print(context, json,
           "restored " + path + (aside.empty() ? "" : "; the old store is kept as " + aside) +
+              ended +
               (unknown ? "\nThe store that was there could not be read. Whoever was erased since "
-                         "this backup is back: look at your list of requests, and erase them again"
+                         "this backup is back, and so are the data of participants who withdrew "
+                         "since: look at your list of requests, and erase them again"
                        : ""));
     return 0;
 }

@@ -8,6 +8,7 @@
 #include "curriculum/study.h"
 #include "db/erasure.h"
 #include "db/participant.h"
+#include "db/store_url.h"
 #include "db/study_conduct.h"
 #include "sim/core/near_word.h"
 #include "ui/cli/session.h"
@@ -131,6 +132,19 @@ int status(const Context& context, const StudyOptions& options) {
     return 0;
 }
 
+/// Where the data of who is erased may still be, a line each; into `left` for programs.
+std::string copies_left(const Context& context, Json& left) {
+    const std::string url = store_url_of(context);
+    std::string text;
+    for (const db::LeftCopy& each : db::copies_with_records(url)) {
+        left.push_back({{"path", each.path}, {"why", each.why}});
+        text += "\nmay still hold the data: " + each.path + ": " + each.why;
+    }
+    if (db::parse_store_url(url).engine == db::Engine::kPostgresql)
+        text += "\nbackups of the server may still hold the data; ask its administrator";
+    return text;
+}
+
 int withdraw(const Context& context, const StudyOptions& options) {
     Session session = coordinator(context);
     const db::WithdrawalMode mode = options.mode == "keep"   ? db::WithdrawalMode::kKeep
@@ -150,7 +164,13 @@ int withdraw(const Context& context, const StudyOptions& options) {
         text += "\n" + each +
                 (erases ? " had not been saved and is removed"
                         : " was not saved and cannot be any more; delete it");
-    print(context, {{"participant", options.code}, {"mode", options.mode}, {"unsaved", unsaved}},
+    Json left = Json::array();
+    if (erases) text += copies_left(context, left);
+    print(context,
+          {{"participant", options.code},
+           {"mode", options.mode},
+           {"unsaved", unsaved},
+           {"left", left}},
           text);
     return 0;
 }

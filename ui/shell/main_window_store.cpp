@@ -54,9 +54,10 @@ void MainWindow::showMissingStore() {
         if (file.isEmpty() || !context_.restoreBackup(file)) return;
         go_on(true);
         // The store that knew who was erased is always gone here.
-        notices_->showNotice(
-            tr("The backup is in place. Whoever was erased since it was made is back: look at your "
-               "list of requests, and erase them again."));
+        notices_->showNotice(tr(
+            "The backup is in place. Whoever was erased since it was made is back, and so are the "
+            "data of participants who withdrew since: look at your list of requests, and erase "
+            "them again."));
     });
     add(tr("Begin anew, without any data"), "danger", "", "begin_anew", [this, go_on] {
         go_on(confirm(this, tr("Begin with an empty store?"),

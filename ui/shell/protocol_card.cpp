@@ -276,10 +276,12 @@ class ProtocolCard : public QFrame {
             context_.require(db::Action::kRunQuestionnaire);
             context_.store().studies().withdraw(study_, code, mode,
                                                 reason_->text().trimmed().toStdString());
-            if (mode == db::WithdrawalMode::kErase)
-                (void)db::unsaved_recordings(context_.recordingsFolder().toStdString(),
-                                             {study_, code}, db::Unsaved::kRemove);
-            again();
+            if (mode != db::WithdrawalMode::kErase) return again();
+            (void)db::unsaved_recordings(context_.recordingsFolder().toStdString(), {study_, code},
+                                         db::Unsaved::kRemove);
+            // The page says where the data may still be.
+            Q_EMIT page_.go(
+                {PageId::kStudies, 0, {}, {{"study", qstr(study_)}, {"erased", qstr(code)}}});
         });
     }
 

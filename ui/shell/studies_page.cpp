@@ -8,6 +8,7 @@
 
 #include "assessment/statistics.h"
 #include "reports/export.h"
+#include "ui/shell/copies_left.h"
 #include "ui/shell/export_folder.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -35,6 +36,7 @@ class StudiesPage : public Page {
         context.require(db::Action::kRunQuestionnaire);
         chosen_ = place.text;
         study_ = place.state.value("study").toString();
+        erased_ = place.state.value("erased").toString();
         const std::vector<std::string> ids = known_questionnaires(context);
         const bool paper = std::find(ids.begin(), ids.end(), "face_validity") != ids.end();
         if (chosen_.isEmpty() && !ids.empty())
@@ -42,6 +44,7 @@ class StudiesPage : public Page {
         questionnaire_ = newest_questionnaire(context, chosen_.toStdString());
         answers_ = context.store().studies().answers(questionnaire_.id);
         QVBoxLayout* column = make_column(this);
+        if (QLabel* left = make_copies_left(context, erased_)) column->addWidget(left);
         column->addWidget(make_protocol_card(context, *this, study_,
                                              place.state.value("participant").toString()));
         column->addWidget(make_label(tr("Questionnaires without a protocol"), "title"));
@@ -58,7 +61,9 @@ class StudiesPage : public Page {
 
     [[nodiscard]] QString title() const override { return tr("Studies"); }
     /// A change of theme or language comes back to the same study.
-    [[nodiscard]] QVariantMap state() const override { return {{"study", study_}}; }
+    [[nodiscard]] QVariantMap state() const override {
+        return {{"study", study_}, {"erased", erased_}};
+    }
 
  private:
     void addChooser(QHBoxLayout* head, const std::vector<std::string>& ids) {
@@ -234,7 +239,8 @@ class StudiesPage : public Page {
         });
     }
 
-    QString study_;  ///< Shown; empty: the first.
+    QString study_;   ///< Shown; empty: the first.
+    QString erased_;  ///< Participant whose data were just erased, or none.
     QString chosen_;
     curriculum::Questionnaire questionnaire_;
     std::vector<db::AnswerRecord> answers_;

@@ -6649,8 +6649,8 @@
         <translation>Nie można pokazać tej strony.</translation>
     </message>
     <message>
-        <source>The backup is in place. Whoever was erased since it was made is back: look at your list of requests, and erase them again.</source>
-        <translation>Kopia jest na miejscu. Osoby usunięte po jej wykonaniu wróciły: sprawdź listę wniosków i usuń je ponownie.</translation>
+        <source>The backup is in place. Whoever was erased since it was made is back, and so are the data of participants who withdrew since: look at your list of requests, and erase them again.</source>
+        <translation>Kopia jest na miejscu. Osoby usunięte po jej wykonaniu wróciły, a z nimi dane uczestników, którzy się potem wycofali: sprawdź listę wniosków i usuń je ponownie.</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -14624,6 +14624,17 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Saving the attempt</source>
         <translation>Zapis próby</translation>
+    </message>
+</context>
+<context>
+    <name>CopiesLeft</name>
+    <message>
+        <source>Backups of the server may still hold the data of %1; ask its administrator.</source>
+        <translation>Kopie zapasowe serwera mogą jeszcze zawierać dane uczestnika %1; zapytaj administratora serwera.</translation>
+    </message>
+    <message>
+        <source>These copies may still hold the data of %1. A restore erases them again; delete the copies that you do not need:</source>
+        <translation>Te kopie mogą jeszcze zawierać dane uczestnika %1. Przywrócenie usunie je ponownie; usuń kopie, których nie potrzebujesz:</translation>
     </message>
 </context>
 </TS>
