@@ -7,6 +7,7 @@
 
 #include "db/audit_check.h"
 #include "db/erasure.h"
+#include "db/named_word.h"
 #include "db/store_context.h"
 #include "db/store_place.h"
 
@@ -72,11 +73,12 @@ std::vector<int64_t> Audit::naming(const std::vector<std::string>& words) {
     context_.need(Action::kViewAudit);
     Statement query(connection_, "SELECT id, object, detail FROM audit ORDER BY id");
     query.run();
+    const std::vector<FoldedText> names(words.begin(), words.end());
     std::vector<int64_t> found;
     while (query.next()) {
-        const std::string said = query.text(1) + "\n" + query.text(2);
-        if (std::any_of(words.begin(), words.end(),
-                        [&](const std::string& word) { return holds_word(said, word); }))
+        const FoldedText said(query.text(1) + "\n" + query.text(2));
+        if (std::any_of(names.begin(), names.end(),
+                        [&](const FoldedText& name) { return said.find(name).has_value(); }))
             found.push_back(query.integer(0));
     }
     return found;

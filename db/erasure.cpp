@@ -10,6 +10,7 @@
 #include <set>
 
 #include "db/foreign_store.h"
+#include "db/named_word.h"
 #include "db/recording_file.h"
 #include "db/sql_connection.h"
 #include "db/sqlite_file.h"

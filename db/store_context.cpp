@@ -4,11 +4,11 @@
 
 #include <QDateTime>
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <set>
 #include <string_view>
 
+#include "db/named_word.h"
 #include "db/password.h"
 
 namespace placode::db {
@@ -68,29 +68,6 @@ std::string StoreContext::person_of(const std::string& kept, const char* column)
 
 namespace {
 
-bool is_in_a_word(char c) {
-    return static_cast<unsigned char>(c) >= 0x80 ||
-           std::isalnum(static_cast<unsigned char>(c)) != 0;
-}
-
-bool same_letter(char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) ==
-           std::tolower(static_cast<unsigned char>(b));
-}
-
-/// Where `word` stands by itself, in whatever case, from `from` on; npos: nowhere.
-size_t find_word(const std::string& text, const std::string& word, size_t from) {
-    if (word.empty()) return std::string::npos;
-    for (auto at = text.begin() + static_cast<std::ptrdiff_t>(from);; ++at) {
-        at = std::search(at, text.end(), word.begin(), word.end(), same_letter);
-        if (at == text.end()) return std::string::npos;
-        const auto end = at + static_cast<std::ptrdiff_t>(word.size());
-        if ((at == text.begin() || !is_in_a_word(at[-1])) &&
-            (end == text.end() || !is_in_a_word(*end)))
-            return static_cast<size_t>(at - text.begin());
-    }
-}
-
 /// "user 12", "study pilot": what the trail itself says, whoever has such a log-in.
 bool is_of_the_trail(const std::string& text, size_t at, size_t size) {
     static const std::set<std::string> kNouns{"assignment", "attempt", "batch", "comment",
@@ -100,36 +77,47 @@ bool is_of_the_trail(const std::string& text, size_t at, size_t size) {
            kNouns.contains(text.substr(at, size));
 }
 
-void replace_word(std::string& text, const std::string& word, const std::string& by) {
-    for (size_t at = find_word(text, word, 0); at != std::string::npos;) {
-        const bool own = is_of_the_trail(text, at, word.size());
-        if (!own) text.replace(at, word.size(), by);
-        at = find_word(text, word, at + (own ? word.size() : by.size()));
+void replace_word(std::string& text, const FoldedText& word, const std::string& by) {
+    for (size_t from = 0;;) {
+        const auto found = FoldedText(text).find(word, from);
+        if (!found) return;
+        const bool own = is_of_the_trail(text, found->at, found->size);
+        if (!own) text.replace(found->at, found->size, by);
+        from = found->at + (own ? found->size : by.size());
     }
+}
+
+/// Who may be named in a folded text. The engine picks them, because there are thousands of people,
+/// and every entry of the trail asks; it knows the case of ASCII letters only, so that names with
+/// other letters are always among them.
+std::string possible_names(bool sqlite) {
+    const auto small = [&](const char* name) {
+        return std::string("LOWER(") + name + (sqlite ? ")" : " COLLATE \"C\")");
+    };
+    const std::string at = sqlite ? "INSTR" : "STRPOS";
+    const std::string bytes = sqlite ? "LENGTH(CAST(login || display_name AS BLOB))"
+                                     : "OCTET_LENGTH(login || display_name)";
+    return "(SELECT CAST(? AS TEXT) AS said) s JOIN persons ON " + at + "(said, " + small("login") +
+           ") > 0 OR " + at + "(said, " + small("display_name") + ") > 0 OR " + bytes +
+           " > LENGTH(login || display_name)";
 }
 
 }  // namespace
 
-bool holds_word(const std::string& text, const std::string& word) {
-    return find_word(text, word, 0) != std::string::npos;
-}
-
 std::string StoreContext::without_names(const std::string& typed) {
     std::string text = typed;
-    // The engine gives the names that the text may hold: there are thousands of people, and every
-    // entry of the trail asks. A server shows a station only some names, and answers with these.
+    // A server shows a station only some names, and answers with those that the text holds.
     const bool guarded = connection.hides_passwords();
-    const std::string at = connection.is_sqlite() ? "INSTR" : "STRPOS";
+    const FoldedText folded(typed);
     Statement query(connection, "SELECT account_id, login, display_name FROM " +
                                     (guarded ? std::string("placode_guard.named_in(?)")
-                                             : "(SELECT LOWER(?) AS said) s JOIN persons ON " + at +
-                                                   "(said, LOWER(login)) > 0 OR " + at +
-                                                   "(said, LOWER(display_name)) > 0") +
+                                             : possible_names(connection.is_sqlite())) +
                                     " ORDER BY LENGTH(display_name) DESC, account_id");
-    query.run(typed);
+    query.run(guarded ? in_several_cases(typed) : folded.letters());
     while (query.next())
         for (const int column : {2, 1})
-            replace_word(text, query.text(column), user_object(query.integer(0)));
+            if (const FoldedText name(query.text(column)); folded.find(name))
+                replace_word(text, name, user_object(query.integer(0)));
     return text;
 }
 

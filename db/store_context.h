@@ -178,9 +178,6 @@ inline void show_proctors(StoreContext& context, std::span<AttemptRecord> attemp
 [[nodiscard]] const std::string& definition_columns();
 [[nodiscard]] DefinitionRecord read_definition(const Statement& row);
 
-/// Whether `word` stands in the text by itself, in whatever case of its ASCII letters.
-[[nodiscard]] bool holds_word(const std::string& text, const std::string& word);
-
 /// The chain of an audit entry after the one whose chain is `previous`.
 [[nodiscard]] std::string audit_chain(const std::string& previous, const TrailEntry& entry);
 /// What a station signs of an entry.

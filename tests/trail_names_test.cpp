@@ -11,6 +11,8 @@ using namespace placode;
 
 namespace THIS_TEST {
 
+namespace fs = std::filesystem;
+
 class TrailNames : public testing::Test {
  protected:
     void SetUp() override {
@@ -20,6 +22,7 @@ class TrailNames : public testing::Test {
         add("spare", "Spare", db::Role::kAdministrator);
         anna = add("anna", "Anna Łącka", db::Role::kTrainee);
         user = add("user", "The user", db::Role::kTrainee);
+        lucja = add("l.c", "Łucja Ćma", db::Role::kTrainee);
     }
     int64_t add(const std::string& login, const std::string& name, db::Role role) const {
         return store->accounts().create(
@@ -34,7 +37,7 @@ class TrailNames : public testing::Test {
 
     test::TemporaryFolder folder;
     std::unique_ptr<db::Store> store;
-    int64_t anna = 0, user = 0;
+    int64_t anna = 0, user = 0, lucja = 0;
 };
 
 TEST_F(TrailNames, WhoeverIsNamedStandsThereByNumber) {
@@ -50,6 +53,21 @@ TEST_F(TrailNames, WhoeverIsNamedStandsThereByNumber) {
     EXPECT_EQ(kept("the user"), "user " + std::to_string(user));
     store->audit().write("local administrator (anna)", "export.csv", "study pilot", "");
     EXPECT_EQ(store->audit().trail(1).at(0).actor, "local administrator (" + number + ")");
+}
+
+TEST_F(TrailNames, InCapitalsAndWithAccentsApartItIsTheSameName) {
+    const std::string number = "user " + std::to_string(anna),
+                      hers = "user " + std::to_string(lucja);
+    EXPECT_EQ(kept("ANNA \u0141\u0104CKA"), number);
+    EXPECT_EQ(kept("anna łącka, ANNA ŁĄCKA!"), number + ", " + number + "!");
+    // As some systems write the names of files.
+    EXPECT_EQ(kept("/home/Anna \u0141a\u0328cka/x.pdf"), "/home/" + number + "/x.pdf");
+    EXPECT_EQ(kept("ANNA \u0141A\u0328CKA: ŁUCJA C\u0301MA"), number + ": " + hers);
+    EXPECT_EQ(kept("„łucja ćma” – ŁUCJA ĆMA…"), "„" + hers + "” – " + hers + "…");
+    EXPECT_EQ(kept("śródmieście, ŻÓŁĆ: ŁUCJA ĆMA ßß"), "śródmieście, ŻÓŁĆ: " + hers + " ßß");
+    for (const char* other : {"ŁUCJA ĆMAŃSKA", "Śłucja ćma", "łucja ćma\u0301",
+                              "Łucja \u0106m\u0105", "Lucja Cma", "łucja ćma7"})
+        EXPECT_EQ(kept(other), other) << "other words";
 }
 
 TEST_F(TrailNames, NothingNamesAPersonWhoWasErased) {
@@ -74,6 +92,15 @@ TEST_F(TrailNames, WhatCannotBeChangedIsSaidWithTheErasure) {
     EXPECT_THAT(erasure.entries, testing::ElementsAre(entry));
     EXPECT_THAT(db::erasure_certificate(erasure),
                 testing::HasSubstr("they stay: " + std::to_string(entry)));
+}
+
+TEST_F(TrailNames, ThePlaceOfACopyNamesAPersonInCapitalsToo) {
+    const std::string place = folder.file("ŁUCJA ĆMA");
+    fs::create_directories(place);
+    store->backup(place + "/store.db");
+    const int64_t entry = store->audit().trail(1).at(0).id;
+    const auto erasure = db::erase_person(*store, store->url(), lucja, false);
+    EXPECT_THAT(erasure.entries, testing::ElementsAre(entry));
 }
 
 TEST_F(TrailNames, RecordingsThatNobodySavedGoWithTheirPerson) {
