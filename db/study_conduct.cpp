@@ -46,11 +46,17 @@ std::string step_of(Store& store, const curriculum::StudyProtocol& protocol,
     return last;
 }
 
+/// As enrolled; without a protocol and an arm for a code that is not there.
+ParticipantRecord participant_of(Store& store, const std::string& study_id,
+                                 const std::string& code) {
+    for (ParticipantRecord& each : store.studies().participants(study_id))
+        if (each.code == code) return std::move(each);
+    return {};
+}
+
 /// The step as the participant's version of the protocol has it; nullopt when none is known.
 std::optional<curriculum::StudyStep> asked_step(Store& store, const StepRecord& step) {
-    int version = 0;
-    for (const ParticipantRecord& each : store.studies().participants(step.study_id))
-        if (each.code == step.participant) version = each.protocol_version;
+    const int version = participant_of(store, step.study_id, step.participant).protocol_version;
     if (version == 0) return std::nullopt;
     const auto protocol = published_study(store, step.study_id, version);
     const auto* asked = protocol ? protocol->step(step.step) : nullptr;
@@ -58,10 +64,7 @@ std::optional<curriculum::StudyStep> asked_step(Store& store, const StepRecord& 
 }
 
 bool demonstrates(Store& store, const StepRecord& step) {
-    const auto all = store.studies().participants(step.study_id);
-    return std::ranges::any_of(all, [&](const ParticipantRecord& each) {
-        return each.code == step.participant && each.demonstration;
-    });
+    return participant_of(store, step.study_id, step.participant).demonstration;
 }
 
 /// Why an attempt does not do the step; nothing = it does.
@@ -115,6 +118,11 @@ std::optional<curriculum::StudyProtocol> published_study(Store& store, const std
     return curriculum::load_study_text(published->json, "study " + study_id);
 }
 
+std::optional<curriculum::StudyProtocol> protocol_of(Store& store, const std::string& study_id,
+                                                     const std::string& code) {
+    return published_study(store, study_id, participant_of(store, study_id, code).protocol_version);
+}
+
 void publish_on_first_use(Store& store, const curriculum::Questionnaire& questionnaire) {
     if (questionnaire.json.empty()) return;
     const auto there =
@@ -132,7 +140,8 @@ void publish_on_first_use(Store& store, const curriculum::Questionnaire& questio
 void record_consent(Store& store, const std::string& study_id, const std::string& code,
                     const std::string& language, const std::vector<std::string>& agreed,
                     const std::string& signature) {
-    const auto protocol = published_study(store, study_id);
+    // An amendment is for who is enrolled after it: this one read the text of the earlier version.
+    const auto protocol = protocol_of(store, study_id, code);
     const auto refuse = [&](const Said& problem) {
         throw StoreError(StoreError::Kind::kRefused,
                          "consent of " + code + " to " + study_id + ": ", problem);

@@ -18,13 +18,19 @@ namespace placode::db {
                                                                        const std::string& study_id,
                                                                        int version = 0);
 
+/// The published protocol that the participant was enrolled under; the newest for who was enrolled
+/// before there was one.
+[[nodiscard]] std::optional<curriculum::StudyProtocol> protocol_of(Store& store,
+                                                                   const std::string& study_id,
+                                                                   const std::string& code);
+
 /// Publishes the questionnaire's text where this version is not in the store yet, so that answers
 /// stay readable whatever happens to the file. Throws as Definitions::publish().
 void publish_on_first_use(Store& store, const curriculum::Questionnaire& questionnaire);
 
 /// Records that the participant has consented: the step's detail keeps version, language and
-/// checksum of the text that was read. @param agreed ids of the statements. Throws kRefused when a
-/// required statement is not among them.
+/// checksum of the text that was read, which is that of protocol_of(). @param agreed ids of the
+/// statements. Throws kRefused when a required statement is not among them.
 /// @param signature the hand's lines (path of an SVG); empty = signed on paper.
 void record_consent(Store& store, const std::string& study_id, const std::string& code,
                     const std::string& language, const std::vector<std::string>& agreed,

@@ -9,7 +9,9 @@
 #include <fstream>
 
 #include "curriculum/study.h"
+#include "db/consent.h"
 #include "db/erasure.h"
+#include "db/packing.h"
 #include "db/store.h"
 #include "db/study_conduct.h"
 #include "db/study_records.h"
@@ -43,6 +45,11 @@ db::DefinitionRecord study(int version, const std::string& reason = "",
     record.json = study_text(version, title);
     record.reason = reason;
     return record;
+}
+
+/// Puts another text into a definition in place of one that it holds.
+void put(db::DefinitionRecord& definition, const std::string& old, const std::string& text) {
+    definition.json.replace(definition.json.find(old), old.size(), text);
 }
 
 class StudyStore : public EngineTest {
@@ -151,6 +158,32 @@ TEST_P(StudyStore, NothingIsRecordedBeforeConsent) {
     EXPECT_EQ(answers[0].changes[1].new_answer, "4");
     EXPECT_TRUE(store->studies().participants("pilot").at(0).demonstration);
     EXPECT_EQ(store->studies().participants("pilot").at(0).protocol_version, 1);
+}
+
+TEST_P(StudyStore, AConsentIsToTheTextOfTheParticipantsVersion) {
+    store->definitions().publish(study(1));
+    const std::string before = store->studies().new_participant("pilot");
+    auto amended = study(2, "the committee asked for it");
+    put(amended, R"("consent":{"version":1)", R"("consent":{"version":2)");
+    put(amended, R"({"id":"a",)", R"({"id":"b","text":{"en":"that as well"}},{"id":"a",)");
+    put(amended, R"({"id":"consent",)", R"({"id":"agree",)");
+    store->definitions().publish(amended);
+    const std::string after = store->studies().new_participant("pilot");
+
+    db::record_consent(*store, "pilot", before, "en", {"a"});
+    EXPECT_THAT(failure_of([&] { db::record_consent(*store, "pilot", after, "en", {"a"}); }).what(),
+                HasSubstr("the statement \"b\" is required"));
+    db::record_consent(*store, "pilot", after, "en", {"a", "b"});
+    const auto given = db::given_consents(store->studies().steps("pilot"));
+    ASSERT_EQ(given.size(), 2u);
+    EXPECT_EQ(given.at(before).version, 1);
+    EXPECT_EQ(given.at(before).text_checksum, db::checksum_hex(std::string("i\nyes\n")));
+    EXPECT_EQ(given.at(after).version, 2);
+    EXPECT_EQ(given.at(after).text_checksum,
+              db::checksum_hex(std::string("i\nthat as well\nyes\n")));
+    for (const db::Progress& each : db::study_progress(*store, "pilot"))
+        EXPECT_EQ(each.next, "run") << each.participant.code;
+    EXPECT_NO_THROW(store->studies().save_answers(answer(before)));
 }
 
 TEST_P(StudyStore, ArmsAreBalancedAndTheSeedStaysInTheStore) {

@@ -37,9 +37,10 @@ curriculum::Questionnaire questionnaire_named(Session& session, const std::strin
     return curriculum::load_questionnaire(id);
 }
 
-std::vector<std::string> required_statements(Session& session, const std::string& study) {
+std::vector<std::string> required_statements(Session& session, const std::string& study,
+                                             const std::string& code) {
     std::vector<std::string> ids;
-    if (const auto protocol = db::published_study(session.store(), study))
+    if (const auto protocol = db::protocol_of(session.store(), study, code))
         for (const auto& statement : protocol->consent.statements)
             if (statement.required) ids.push_back(statement.id);
     return ids;
@@ -190,7 +191,7 @@ int study_demo(const Context& context) {
     for (size_t r = 1; r < rows.size(); ++r) {
         const std::string code = session.store().studies().new_participant(study.id, true);
         db::record_consent(session.store(), study.id, code, "en",
-                           required_statements(session, study.id));
+                           required_statements(session, study.id, code));
         for (const char* id : {"demographics", "face_validity"}) {
             const auto questionnaire = curriculum::load_questionnaire(id);
             db::AnswerRecord record = row_answers(questionnaire, rows[0].cells, rows[r].cells,

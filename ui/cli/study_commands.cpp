@@ -29,7 +29,7 @@ int enrol(const Context& context, const StudyOptions& options) {
     if (options.consented)
         as_input([&] {
             db::record_consent(session.store(), options.id, code, options.language,
-                               required_statements(session, options.id));
+                               required_statements(session, options.id, code));
         });
     print(context, {{"study", options.id}, {"participant", code}, {"consented", options.consented}},
           code + (options.consented ? " (consent recorded)" : ""));
@@ -49,7 +49,7 @@ int consent(const Context& context, const StudyOptions& options) {
 
 int step(const Context& context, const StudyOptions& options) {
     Session session = coordinator(context);
-    const auto protocol = db::published_study(session.store(), options.id);
+    const auto protocol = db::protocol_of(session.store(), options.id, options.code);
     if (protocol && protocol->step(options.step) == nullptr) {
         std::string known;
         for (const auto& each : protocol->steps) known += (known.empty() ? "" : ", ") + each.id;

@@ -27,9 +27,10 @@ std::string need_code(const std::string& code);
 /// The published version, else the shipped one, else the file.
 [[nodiscard]] curriculum::Questionnaire questionnaire_named(Session& session,
                                                             const std::string& id);
-/// Of the published consent; none without a protocol.
+/// Of the consent that the participant is asked for; none without a protocol.
 [[nodiscard]] std::vector<std::string> required_statements(Session& session,
-                                                           const std::string& study);
+                                                           const std::string& study,
+                                                           const std::string& code);
 
 // study_definition_commands.cpp
 /// list, show, publish of a kind of definition: "study" or "questionnaire".
