@@ -27,8 +27,9 @@ std::string consent_text(const curriculum::Consent& consent, const std::string& 
     return text;
 }
 
-/// The first step that asks for this questionnaire and is not done yet; else the last that asks.
-std::string step_of(Store& store, const curriculum::StudyProtocol& protocol,
+/// The first step of the arm that asks for this questionnaire and is not done yet; else the last
+/// that asks; "" where none does.
+std::string step_of(Store& store, const curriculum::StudyProtocol& protocol, int arm,
                     const AnswerRecord& answers) {
     std::set<std::string> done;
     for (const StepRecord& step : store.studies().steps(answers.study_id))
@@ -38,7 +39,7 @@ std::string step_of(Store& store, const curriculum::StudyProtocol& protocol,
     std::string last;
     for (const auto& step : protocol.steps) {
         if (step.kind != curriculum::StepKind::kQuestionnaire ||
-            step.questionnaire != answers.questionnaire_id)
+            step.questionnaire != answers.questionnaire_id || !step.for_arm(arm))
             continue;
         last = step.id;
         if (!done.contains(step.id)) break;
@@ -200,13 +201,15 @@ int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionna
                          *problem);
     publish_on_first_use(store, questionnaire);
     const int64_t id = store.studies().save_answers(answers);
-    const auto protocol = published_study(store, answers.study_id);
+    // As study_progress() leads the participant on: by version and arm of enrolment.
+    const ParticipantRecord who = participant_of(store, answers.study_id, answers.participant);
+    const auto protocol = published_study(store, answers.study_id, who.protocol_version);
     if (!protocol) return id;
     StepRecord step;
     step.study_id = answers.study_id;
     step.participant = answers.participant;
     step.visit = answers.visit;
-    step.step = step_of(store, *protocol, answers);
+    step.step = step_of(store, *protocol, who.arm, answers);
     step.answer_id = id;
     step.detail = questionnaire.id + " version " + std::to_string(questionnaire.version);
     if (!step.step.empty()) store.studies().record_step(step);

@@ -36,8 +36,9 @@ void record_consent(Store& store, const std::string& study_id, const std::string
                     const std::string& language, const std::vector<std::string>& agreed,
                     const std::string& signature = {});
 
-/// Checks, keeps the questionnaire's text, saves, and marks the step as done. Returns the answers'
-/// id. Throws kRefused naming the item that is wrong.
+/// Checks, keeps the questionnaire's text, saves, and marks the step as done: the one that is due
+/// in protocol_of(), of those for the participant's arm. Returns the answers' id. Throws kRefused
+/// naming the item that is wrong.
 int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionnaire,
                        const AnswerRecord& answers);
 

@@ -249,4 +249,41 @@ TEST_P(StudyRecordsTest, AQuestionnaireAskedTwiceAndStepsOfOneArmAreFollowed) {
         << "there are two arms";
 }
 
+TEST_P(StudyRecordsTest, AnswersDoTheStepOfTheParticipantsVersionAndArm) {
+    const auto publish = [&](int version, const std::string& prefix) {
+        db::DefinitionRecord study;
+        study.kind = "study";
+        study.id = "per_arm";
+        study.version = version;
+        study.reason = "another name of the steps";
+        study.json = R"({"id":"per_arm","version":)" + std::to_string(version) +
+                     R"(,"title":{"en":"t"},"arms":{"names":[{"en":"x"},{"en":"y"}],)" +
+                     R"("block_size":2},"steps":[{"id":")" + prefix +
+                     R"(_x","kind":"questionnaire","questionnaire":"sus","arms":[0]},{"id":")" +
+                     prefix + R"(_y","kind":"questionnaire","questionnaire":"sus","arms":[1]}]})";
+        store->definitions().publish(study);
+    };
+    const auto sus = curriculum::load_questionnaire("sus");
+    const auto answer_all = [&](const std::string& whom) {
+        db::AnswerRecord record = store->studies().answers("pilot").at(0);
+        record.study_id = "per_arm";
+        record.participant = whom;
+        db::submit_answers(*store, sus, record);
+    };
+    publish(1, "first");
+    std::vector<std::string> codes;
+    for (int i = 0; i < 4; ++i) codes.push_back(store->studies().new_participant("per_arm"));
+    answer_all(codes[0]);
+    answer_all(codes[1]);
+    publish(2, "renamed");
+    answer_all(codes[2]);
+    answer_all(codes[3]);
+    for (const auto& each : db::study_progress(*store, "per_arm")) {
+        EXPECT_EQ(each.finished,
+                  std::vector<std::string>{each.participant.arm == 0 ? "1/first_x" : "1/first_y"});
+        EXPECT_EQ(each.next, "");
+        EXPECT_EQ(each.done, 1);
+    }
+}
+
 }  // namespace THIS_TEST
