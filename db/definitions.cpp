@@ -83,6 +83,28 @@ void need_own_id(const Connection& connection, const DefinitionRecord& definitio
                         .with(shipped->version));
 }
 
+/// Arms are kept as numbers: once somebody is allocated, each number keeps its name.
+void need_same_arms(Connection& connection, const DefinitionRecord& before,
+                    const DefinitionRecord& after) {
+    const auto arms = [](const DefinitionRecord& each) {
+        return curriculum::load_study_text(each.json, "study " + each.id).arms;
+    };
+    const auto old_arms = arms(before), new_arms = arms(after);
+    if (!old_arms) return;
+    const auto& names = old_arms->names;
+    const auto same = [](const auto& a, const auto& b) { return a.en == b.en; };
+    if (new_arms && new_arms->names.size() >= names.size() &&
+        std::equal(names.begin(), names.end(), new_arms->names.begin(), same))
+        return;
+    Statement allocated(connection,
+                        "SELECT 1 FROM participant_states WHERE study_id = ? AND arm >= 0 LIMIT 1");
+    if (allocated.run(after.id).next())
+        connection.fail(Kind::kRefused,
+                        Said::that("participants are allocated to the arms of version %1; keep "
+                                   "their names and order, and add others only behind them")
+                            .with(before.version));
+}
+
 Action action_of(const std::string& kind) {
     if (kind == "course") return Action::kManageCourses;
     const bool judges = kind == "rubric" || kind == "standard" || kind == "task";
@@ -142,6 +164,7 @@ void Definitions::publish(const DefinitionRecord& definition) {
                 .with(newest->version));
     if (newest && definition.reason.empty())
         connection_.fail(Kind::kRefused, Said::that("an amendment needs a reason"));
+    if (newest && definition.kind == "study") need_same_arms(connection_, *newest, definition);
     Statement(connection_,
               "INSERT INTO definitions (kind, id, version, content, checksum, reason, "
               "published_by, published_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?)")

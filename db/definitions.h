@@ -22,7 +22,8 @@ class Definitions {
 
     /// Publishes a version for good. The same text again is no change; another text under a
     /// version that is there throws kConflict, a version above 1 without a reason kRefused, and so
-    /// does another text of a task that the program was built with.
+    /// does another text of a task that the program was built with, and a study whose arms get
+    /// other names or another order after somebody was allocated.
     void publish(const DefinitionRecord& definition);
     /// All versions of one kind, by id and version.
     [[nodiscard]] std::vector<DefinitionRecord> list(const std::string& kind);

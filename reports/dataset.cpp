@@ -86,8 +86,7 @@ namespace {
 /// The attempts of a study, each of the step it was made for. Getting used to the instruments is no
 /// data.
 void add_attempts(db::Store& store, const std::string& study_id, const DatasetOptions& options,
-                  const std::set<std::string>& usable,
-                  const std::optional<curriculum::StudyProtocol>& protocol,
+                  const std::set<std::string>& usable, const Protocols& protocols,
                   std::vector<db::StepRecord>& steps, Dataset& data) {
     std::vector<std::string> owners;
     std::set<int64_t> seen;
@@ -98,7 +97,9 @@ void add_attempts(db::Store& store, const std::string& study_id, const DatasetOp
     for (const auto& step : steps) {
         if (step.attempt_id == 0 || !usable.contains(step.participant)) continue;
         if (!seen.insert(step.attempt_id).second) continue;
-        const auto* asked = protocol ? protocol->step(step.step) : nullptr;
+        // An amendment may have dropped the step, and has no say in what it was.
+        const auto* protocol = protocols.of(step.participant);
+        const auto* asked = protocol != nullptr ? protocol->step(step.step) : nullptr;
         if (asked != nullptr && asked->kind == curriculum::StepKind::kFamiliarisation) continue;
         data.attempts.push_back(store.attempts().detail(step.attempt_id));
         owners.push_back(step.participant);
@@ -120,15 +121,14 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
     Dataset data;
     data.id = study_id;
     data.title = study_id;
-    std::optional<curriculum::StudyProtocol> protocol;
-    if (const auto published = store.definitions().find("study", study_id)) {
-        protocol = curriculum::load_study_text(published->json, "study " + study_id);
-        data.title = protocol->title.in(options.language);
-        data.description = protocol->description.in(options.language);
-        data.version = published->version;
-        data.definition_json = published->json;
-    }
     const auto all = store.studies().participants(study_id);
+    const Protocols protocols(store, study_id, all);
+    if (const auto* newest = protocols.newest()) {
+        data.title = newest->title.in(options.language);
+        data.description = newest->description.in(options.language);
+        data.version = newest->version;
+        data.definition_json = newest->json;
+    }
     if (all.empty())
         throw ReportError("read the study \"" + study_id + "\": it has no participants in " +
                           store.url() + "; `placodectl study list` shows what there is");
@@ -143,11 +143,11 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
     }
     auto steps = store.studies().steps(study_id);
     data.forms.push_back(participants_form(all, store.records().states(study_id),
-                                           db::given_consents(steps), protocol, options));
+                                           db::given_consents(steps), protocols, options));
     for (auto& record : store.studies().answers(study_id))
         if (usable.contains(record.participant)) data.answers.push_back(std::move(record));
     add_questionnaires(store, options, data);
-    add_attempts(store, study_id, options, usable, protocol, steps, data);
+    add_attempts(store, study_id, options, usable, protocols, steps, data);
     for (auto& each : db::study_deviations(store, study_id))
         if (usable.contains(each.participant)) data.deviations.push_back(std::move(each));
     if (!data.deviations.empty()) data.forms.push_back(deviations_form(data.deviations, options));

@@ -13,6 +13,7 @@
 #include "db/consent.h"
 #include "db/study_records.h"
 #include "reports/dataset.h"
+#include "reports/dataset_protocols.h"
 
 namespace placode::reports {
 
@@ -26,12 +27,11 @@ void number_rows(Form& form);
 /// @param visit_of number of a row's visit, from 1.
 void add_visits(Form& form, int visits, const std::function<int(const Row&)>& visit_of);
 /// @param states by code; a record that was never locked nor signed may be absent.
-/// @param consents by code; shown where the protocol asks for one.
+/// @param consents by code; shown where a version of the protocol asks for one.
 [[nodiscard]] Form participants_form(const std::vector<db::ParticipantRecord>& all,
                                      const std::map<std::string, db::RecordState>& states,
                                      const std::map<std::string, db::GivenConsent>& consents,
-                                     const std::optional<curriculum::StudyProtocol>& protocol,
-                                     const DatasetOptions& options);
+                                     const Protocols& protocols, const DatasetOptions& options);
 
 /// Adds to the rows of attempts_form() of which step they are and whether they count.
 /// @param steps of the study, by attempt.

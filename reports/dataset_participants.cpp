@@ -59,8 +59,7 @@ void fill_care(Row& row, const db::RecordState& state, const DatasetOptions& opt
 Form participants_form(const std::vector<db::ParticipantRecord>& all,
                        const std::map<std::string, db::RecordState>& states,
                        const std::map<std::string, db::GivenConsent>& consents,
-                       const std::optional<curriculum::StudyProtocol>& protocol,
-                       const DatasetOptions& options) {
+                       const Protocols& protocols, const DatasetOptions& options) {
     Form form;
     form.id = form.name = "participants";
     form.title = "Participants";
@@ -80,17 +79,16 @@ Form participants_form(const std::vector<db::ParticipantRecord>& all,
     version.label = "Version of the protocol";
     version.kind = FieldKind::kDecimal;
     form.fields.push_back(version);
-    if (protocol && protocol->arms) {
+    if (!protocols.arms().empty()) {
         Field arm;
         arm.id = "arm";
         arm.label = "Arm";
         arm.kind = FieldKind::kCode;
-        for (size_t i = 0; i < protocol->arms->names.size(); ++i)
-            arm.codes.push_back(
-                {static_cast<int>(i), protocol->arms->names[i].in(options.language)});
+        for (const curriculum::LocalText& name : protocols.arms())
+            arm.codes.push_back({static_cast<int>(arm.codes.size()), name.in(options.language)});
         form.fields.push_back(arm);
     }
-    const bool consent = protocol && protocol->needs_consent();
+    const bool consent = protocols.ask_consent();
     if (consent) add_consent_fields(form);
     add_care_fields(form, options);
     for (const db::ParticipantRecord& each : all) {
@@ -103,8 +101,7 @@ Form participants_form(const std::vector<db::ParticipantRecord>& all,
         row.values["status"] =
             each.withdrawal ? std::to_string(1 + static_cast<int>(*each.withdrawal)) : "0";
         row.values["protocol_version"] = std::to_string(each.protocol_version);
-        if (protocol && protocol->arms && each.arm >= 0)
-            row.values["arm"] = std::to_string(each.arm);
+        if (const auto arm = protocols.arm_of(each)) row.values["arm"] = std::to_string(*arm);
         const auto given = consents.find(each.code);
         if (consent && given != consents.end()) fill_consent(row, given->second);
         const auto state = states.find(each.code);

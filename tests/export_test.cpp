@@ -259,6 +259,60 @@ TEST_F(Export, WhoConsentedToWhatAndWhenIsInEveryFormat) {
                 HasSubstr("ItemOID=\"I.participants.consent_language\" Value=\"pl\""));
 }
 
+/// @param warm_up a step in front of the procedure, or none
+std::string amended_study(int version, const std::string& arms, const std::string& warm_up) {
+    return R"({"id":"amended","version":)" + std::to_string(version) +
+           R"(,"title":{"en":"t"},"arms":{"names":[)" + arms + R"(],"block_size":2},"steps":[)" +
+           warm_up + R"({"id":"run","kind":"procedure","task":"diathermy_ring"}]})";
+}
+
+TEST_F(Export, StepsAndArmsAreThoseOfTheParticipantsVersion) {
+    db::DefinitionRecord study;
+    study.kind = "study";
+    study.id = "amended";
+    study.json = amended_study(1, R"({"en":"x"},{"en":"y"})",
+                               R"({"id":"warm_up","kind":"familiarisation",)"
+                               R"("task":"diathermy_ring","max_s":60},)");
+    store->definitions().publish(study);
+    db::StepRecord step;
+    step.study_id = study.id;
+    step.participant = store->studies().new_participant(study.id, true);
+    step.step = "warm_up";
+    db::AttemptResult result;
+    result.header.task_id = "diathermy_ring";
+    result.header.started_utc = "2026-11-21T10:05:00.000Z";
+    result.header.mode = "study";
+    result.header.demonstration = true;
+    result.study = {step.study_id, step.participant};
+    step.attempt_id = store->attempts().save(store->accounts().find_login("anna")->id, result);
+    store->studies().record_step(step);
+
+    // As an earlier program let it be published: the arms have changed places.
+    RawConnection raw("QSQLITE", folder.file("placode.db"));
+    ASSERT_TRUE(
+        raw.run("INSERT INTO definitions (kind, id, version, content, checksum, reason, "
+                "published_by, published_utc) VALUES ('study', 'amended', 2, '" +
+                amended_study(2, R"({"en":"y"},{"en":"x"})", "") +
+                "', '', 'r', 'anna', '2026-11-21T10:15:00Z')"))
+        << raw.problem();
+    (void)store->studies().new_participant(study.id, true);
+    const auto all = store->studies().participants(study.id);
+    ASSERT_EQ(all.size(), 2u);
+    ASSERT_NE(all[0].arm, all[1].arm) << "a block of two";
+
+    const auto data = reports::study_dataset(*store, study.id, {false, "en"});
+    EXPECT_EQ(data.version, 2);
+    EXPECT_EQ(data.form("attempts"), nullptr) << "getting used to the instruments is no data";
+    const reports::Form* people = data.form("participants");
+    ASSERT_NE(people, nullptr);
+    const reports::Field* arm = people->field("arm");
+    ASSERT_NE(arm, nullptr);
+    ASSERT_EQ(arm->codes.size(), 2u);
+    const std::string name = all[0].arm == 0 ? "x" : "y";
+    for (const reports::Row& row : people->rows)
+        EXPECT_EQ(arm->codes.at(std::stoul(row.values.at("arm"))).label, name) << row.participant;
+}
+
 TEST_F(Export, LockAndSignatureOfARecordAreInEveryFormat) {
     store->records().lock("s1", codes[0]);
     store->records().sign("s1", codes[0], "anna", "correct horse", "reviewed");

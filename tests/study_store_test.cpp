@@ -186,6 +186,31 @@ TEST_P(StudyStore, AConsentIsToTheTextOfTheParticipantsVersion) {
     EXPECT_NO_THROW(store->studies().save_answers(answer(before)));
 }
 
+TEST_P(StudyStore, ArmsKeepTheirNamesAndOrderOnceSomebodyIsAllocated) {
+    const auto with_arms = [](int version, const std::string& names, const std::string& size) {
+        auto amended = study(version, "the committee asked for it");
+        put(amended, R"([{"en":"x"},{"en":"y"}],"block_size":4)",
+            "[" + names + R"(],"block_size":)" + size);
+        return amended;
+    };
+    const auto refused = [&](const db::DefinitionRecord& amended) {
+        return failure_of([&] { store->definitions().publish(amended); });
+    };
+    store->definitions().publish(study(1));
+    store->definitions().publish(with_arms(2, R"({"en":"y"},{"en":"x"})", "4"));
+    ASSERT_EQ(store->definitions().find("study", "pilot")->version, 2) << "nobody is there yet";
+    (void)store->studies().new_participant("pilot");
+    EXPECT_EQ(refused(study(3, "as it was")).kind(), StoreError::Kind::kRefused);
+    EXPECT_THAT(refused(with_arms(3, R"({"en":"y"},{"en":"z"})", "4")).what(),
+                HasSubstr("allocated to the arms of version 2; keep their names and order"));
+    auto without = study(3, "no arms");
+    put(without, R"("arms":{"names":[{"en":"x"},{"en":"y"}],"block_size":4},)", "");
+    EXPECT_EQ(refused(without).kind(), StoreError::Kind::kRefused);
+    EXPECT_NO_THROW(store->definitions().publish(
+        with_arms(3, R"({"en":"y","pl":"igrek"},{"en":"x"},{"en":"z"})", "6")))
+        << "one more, and a translation";
+}
+
 TEST_P(StudyStore, ArmsAreBalancedAndTheSeedStaysInTheStore) {
     store->definitions().publish(study(1));
     for (int i = 0; i < 12; ++i) store->studies().new_participant("pilot");

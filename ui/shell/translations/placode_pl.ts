@@ -10745,6 +10745,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>zmiana wymaga uzasadnienia</translation>
     </message>
     <message>
+        <source>participants are allocated to the arms of version %1; keep their names and order, and add others only behind them</source>
+        <translation>uczestnicy są przydzieleni do grup wersji %1; zachowaj ich nazwy i kolejność, a inne dodawaj tylko za nimi</translation>
+    </message>
+    <message>
         <source>only questionnaires, studies, courses, tasks, rubrics, standards and seals of consents are published</source>
         <translation>publikuje się tylko kwestionariusze, badania, kursy, zadania, kryteria, standardy i pieczęcie zgód</translation>
     </message>
