@@ -26,6 +26,7 @@ ItemNumbers item_numbers(const Form& form, const Field& field) {
     std::vector<std::optional<int>> answers;
     std::vector<double> values;
     for (const Row* row : first_rows(form)) {
+        if (row->not_asked.contains(field.id)) continue;
         const auto found = row->values.find(field.id);
         if (found != row->values.end() && found->second == curriculum::kNotApplicable)
             ++item.not_applicable;

@@ -16,6 +16,12 @@ wide <- function(form) {
                    na.strings = c("", "NA"), check.names = FALSE)
   rows[rows$instance == "1", , drop = FALSE]
 }
+# Why a cell is empty stands in the long file alone.
+long <- read.csv(file.path(folder, paste0(study, "_long.csv")), colClasses = "character",
+                 na.strings = character(0), check.names = FALSE)
+not_asked <- function(form, id)
+  sum(long$questionnaire_id == form & long$item == id & long$instance == "1" &
+        long$missing == "not asked")
 numbers <- function(text) suppressWarnings(as.numeric(text))
 
 wilson <- function(x, n) {
@@ -64,7 +70,7 @@ for (form in forms) {
     if (codebook$kind[i] == "ordinal") {
       x <- numbers(text); x <- x[!is.na(x)]
       describe(form, id, x)
-      add(form, id, "missing", nrow(rows) - length(x))
+      add(form, id, "missing", nrow(rows) - length(x) - not_asked(form, id))
       if (length(x) == 0) next
       q <- unname(quantile(x, c(0.25, 0.5, 0.75), type = 7))
       add(form, id, "q1", q[1]); add(form, id, "median", q[2]); add(form, id, "q3", q[3])

@@ -198,6 +198,29 @@ TEST_F(StudyReportTest, GroupsAreComparedAndWhatASmallSampleCannotCarryIsSaid) {
                             HasSubstr("recommend: all answers are equal")));
 }
 
+TEST(StudyNumbers, AnItemThatWasNotAskedIsNotMissing) {
+    reports::Field field;
+    field.id = "how";
+    field.kind = reports::FieldKind::kCode;
+    field.ordinal = true;
+    for (int value = 1; value <= 5; ++value) field.codes.push_back({value, ""});
+    reports::Form form;
+    form.id = form.name = "branching";
+    form.fields.push_back(field);
+    for (const char* code : {"P001", "P002", "P003"}) {
+        reports::Row row;
+        row.participant = code;
+        form.rows.push_back(row);
+    }
+    form.rows[0].values["how"] = "4";
+    form.rows[1].not_asked.insert("how");
+    reports::Dataset data;
+    data.forms.push_back(form);
+    const auto numbers = reports::study_numbers(data, {});
+    EXPECT_EQ(item(numbers, "how").summary.n, 1);
+    EXPECT_EQ(item(numbers, "how").summary.missing, 1) << "P003 was asked, P002 was not";
+}
+
 /// "form,field,statistic" to value.
 std::map<std::string, double> table_of(const std::string& path) {
     std::map<std::string, double> table;

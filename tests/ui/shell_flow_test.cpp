@@ -37,6 +37,7 @@ class ShellFlowTest : public QObject {
     void coordinatorRunsAParticipantAndExports();
     void questionnaireKeepsAnswersWhenTheLanguageChanges();
     void submittedAnswersAreSavedOnceWhenTheLanguageChanges();
+    void meansCountWhatTheExportsCount();
     void administratorChecksBacksUpAndReadsTheAudit();
     void deactivatedPersonCannotSignIn();
     void everyControlCanBeReachedAndIsNamed();
@@ -250,6 +251,34 @@ void ShellFlowTest::submittedAnswersAreSavedOnceWhenTheLanguageChanges() {
     shell.takeBackNext("first password");
     QVERIFY(shell.click("participant_done"));
     QVERIFY(shell.arrives(PageId::kStudies));
+}
+
+void ShellFlowTest::meansCountWhatTheExportsCount() {
+    ShellHarness& shell = *shell_;
+    auto& studies = shell.owner().studies();
+    const auto before = studies.answers("face_validity");  // 3, 4, 5 and 4
+    QCOMPARE(before.size(), size_t{4});
+    studies.withdraw("face_validity", before[2].participant, db::WithdrawalMode::kStop,
+                     "not given");
+    db::AnswerRecord again = before[0];
+    again.id = 0;
+    again.changes.clear();
+    for (auto& [item, answer] : again.answers) answer = "5";
+    studies.save_answers(again);
+    const auto shows = [&](const char* n, const char* mean) {
+        shell.window().open({PageId::kStudies, 0, "face_validity", {}});
+        QVERIFY(shell.arrives(PageId::kStudies));
+        const auto* items = shell.find<QTableWidget>("item_table");
+        QCOMPARE(items->item(0, 2)->text(), QString(n));
+        QCOMPARE(items->item(0, 3)->text(), QString(mean));
+    };
+    shows("3", "3.67");
+    if (QTest::currentTestFailed()) return;
+    // An answer to another version stands beside the others, not among them.
+    again.participant = studies.new_participant("face_validity");
+    ++again.questionnaire_version;
+    studies.save_answers(again);
+    shows("3", "3.67");
 }
 
 void ShellFlowTest::administratorChecksBacksUpAndReadsTheAudit() {

@@ -43,6 +43,7 @@ class ShellStudyTest : public QObject {
     void proceduresAreStepsOfTheParticipant();
     void lastQuestionnaireEndsTheRun();
     void whatAParticipantDidIsNobodyElses();
+    void aProcedureCountsWhereTheExportsCountIt();
     void aProcedureIsDoneAgainForAReason();
     void coordinatorSeesWhereEveryoneStands();
     void reportAndExportComeOut();
@@ -397,6 +398,29 @@ void ShellStudyTest::whatAParticipantDidIsNobodyElses() {
         QCOMPARE(QString::fromStdString(attempt.user_name), code_);
     }
     QCOMPARE(seen, 5);
+}
+
+void ShellStudyTest::aProcedureCountsWhereTheExportsCountIt() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.replaysEnd());
+    int64_t done = 0;
+    for (const db::StepRecord& step : shell.owner().studies().steps(kStudy))
+        if (step.step == "procedure_1" && step.state == db::StepState::kDone)
+            done = step.attempt_id;
+    QVERIFY(done != 0);
+    const auto said = [&](db::ReplayState state) {
+        shell.owner().attempts().set_replay(done, state);
+        shell.window().open({PageId::kStudies, 0, {}, {{"study", kStudy}}});
+        if (!shell.arrives(PageId::kStudies)) return QString();
+        shell.window().open({PageId::kStudyData, 0, code_, {{"study", kStudy}}});
+        if (!shell.arrives(PageId::kStudyData)) return QString();
+        const auto* table = shell.find<QTableWidget>("procedures_table");
+        return table == nullptr ? QString() : table->item(2, 4)->text();
+    };
+    QCOMPARE(said(db::ReplayState::kDiffers), QString("does not count: practice, not verified"));
+    QCOMPARE(said(db::ReplayState::kWaiting),
+             QString("does not count yet: it is still to be simulated again"));
+    QCOMPARE(said(db::ReplayState::kIdentical), QString("counts"));
 }
 
 void ShellStudyTest::aProcedureIsDoneAgainForAReason() {

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <algorithm>
 
+#include "db/attempt_counting.h"
 #include "db/study_conduct.h"
 #include "db/study_records.h"
 #include "reports/words.h"
@@ -73,12 +74,25 @@ bool ProceduresCard::idle(const db::StepRecord& record) {
     return record.state == db::StepState::kDone && record.detail == db::kNothingDone;
 }
 
+bool ProceduresCard::counts(const db::StepRecord& record) const {
+    if (record.state != db::StepState::kDone || record.superseded() || idle(record)) return false;
+    const auto attempt = attempts_.find(record.attempt_id);
+    return attempt == attempts_.end() || db::counts(attempt->second);
+}
+
 QString ProceduresCard::stateWords(const db::StepRecord& record) const {
     if (record.superseded())
         return tr("done again: %1 (%2)")
             .arg(qstr(record.superseded_reason), qstr(record.superseded_by));
     if (idle(record)) return tr("kept, but no analysis uses it: nothing was done");
-    if (record.state == db::StepState::kDone) return tr("counts");
+    if (counts(record)) return tr("counts");
+    if (record.state == db::StepState::kDone) {
+        const db::AttemptRecord& attempt = attempts_.at(record.attempt_id);
+        const bool waits = attempt.replay == db::ReplayState::kWaiting && db::was_tried(attempt) &&
+                           attempt.void_reason.empty();
+        return (waits ? tr("does not count yet: %1") : tr("does not count: %1"))
+            .arg(reports::not_counted_words(attempt));
+    }
     return tr("does not count: %1")
         .arg(reports::not_done_words(record.detail, record.detail_meaning));
 }
@@ -105,9 +119,7 @@ void ProceduresCard::fillTable(QVBoxLayout* layout) {
         table_->setItem(row, 4, make_cell(state));
         table_->item(row, 4)->setToolTip(state);
         const Tokens& colors = context_.colors();
-        const bool counts =
-            record.state == db::StepState::kDone && !record.superseded() && !idle(record);
-        table_->item(row, 4)->setForeground(counts ? colors.good : colors.warn);
+        table_->item(row, 4)->setForeground(counts(record) ? colors.good : colors.warn);
         ++row;
     }
     fit_columns(table_, 4);

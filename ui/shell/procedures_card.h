@@ -31,6 +31,8 @@ class ProceduresCard : public QFrame {
     [[nodiscard]] QLayout* actions();
     /// Done, and nobody operated: the coordinator decides whether it is done again.
     [[nodiscard]] static bool idle(const db::StepRecord& record);
+    /// As exports and reports judge it: the step is done, and so is what its attempt has to show.
+    [[nodiscard]] bool counts(const db::StepRecord& record) const;
     [[nodiscard]] QString stateWords(const db::StepRecord& record) const;
     [[nodiscard]] QString titleOf(const std::string& step) const;
     [[nodiscard]] const db::StepRecord* selected() const;

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <algorithm>
+#include <set>
 
 #include "assessment/statistics.h"
 #include "reports/export.h"
@@ -43,6 +44,7 @@ class StudiesPage : public Page {
             chosen_ = paper ? QString("face_validity") : qstr(ids.front());
         questionnaire_ = newest_questionnaire(context, chosen_.toStdString());
         answers_ = context.store().studies().answers(questionnaire_.id);
+        counted_ = countedAnswers();
         QVBoxLayout* column = make_column(this);
         if (QLabel* left = make_copies_left(context, erased_)) column->addWidget(left);
         column->addWidget(make_protocol_card(context, *this, study_,
@@ -111,12 +113,26 @@ class StudiesPage : public Page {
         return card;
     }
 
+    /// What the report of these answers counts: the first ones of everybody to the version that is
+    /// shown. Repeated ones are not independent, and another version asks other questions.
+    [[nodiscard]] std::vector<const db::AnswerRecord*> countedAnswers() {
+        std::set<std::string> open;
+        for (const auto& each : context_.store().studies().participants(questionnaire_.id))
+            if (each.usable()) open.insert(each.code);
+        std::vector<const db::AnswerRecord*> counted;
+        for (const db::AnswerRecord& record : answers_)
+            if (record.questionnaire_version == questionnaire_.version &&
+                open.erase(record.participant) > 0)
+                counted.push_back(&record);
+        return counted;
+    }
+
     /// Answers of one item as numbers, in participant order.
     [[nodiscard]] std::vector<double> numbers(const std::string& item) const {
         std::vector<double> values;
-        for (const db::AnswerRecord& record : answers_) {
-            const auto found = record.answers.find(item);
-            if (found == record.answers.end()) continue;
+        for (const db::AnswerRecord* record : counted_) {
+            const auto found = record->answers.find(item);
+            if (found == record->answers.end()) continue;
             bool ok = false;
             const double value = QLocale::c().toDouble(qstr(found->second), &ok);
             if (ok) values.push_back(value);
@@ -173,7 +189,10 @@ class StudiesPage : public Page {
         table->setFixedHeight(table->rowCount() * kTouchTarget + 46);
         layout->addWidget(table);
         layout->addWidget(make_label(
-            tr("SD is the sample standard deviation (n − 1); missing answers are left out."),
+            tr("First answers of each participant to version %1, without those whose data are used "
+               "no more. SD is the sample standard deviation (n − 1); missing answers are left "
+               "out.")
+                .arg(questionnaire_.version),
             "small"));
         return make_card(layout);
     }
@@ -244,6 +263,7 @@ class StudiesPage : public Page {
     QString chosen_;
     curriculum::Questionnaire questionnaire_;
     std::vector<db::AnswerRecord> answers_;
+    std::vector<const db::AnswerRecord*> counted_;  ///< Of answers_.
 };
 
 }  // namespace

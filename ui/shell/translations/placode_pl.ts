@@ -5733,8 +5733,8 @@
         <translation>SD</translation>
     </message>
     <message>
-        <source>SD is the sample standard deviation (n − 1); missing answers are left out.</source>
-        <translation>SD to odchylenie standardowe z próby (n − 1); brakujące odpowiedzi są pominięte.</translation>
+        <source>First answers of each participant to version %1, without those whose data are used no more. SD is the sample standard deviation (n − 1); missing answers are left out.</source>
+        <translation>Pierwsze odpowiedzi każdego uczestnika na wersję %1, bez osób, których danych już się nie używa. SD to odchylenie standardowe z próby (n − 1); brakujące odpowiedzi są pominięte.</translation>
     </message>
     <message>
         <source>Code</source>
@@ -9977,6 +9977,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>counts</source>
         <translation>liczy się</translation>
+    </message>
+    <message>
+        <source>does not count yet: %1</source>
+        <translation>jeszcze się nie liczy: %1</translation>
     </message>
     <message>
         <source>does not count: %1</source>
