@@ -57,6 +57,7 @@ struct Row {
     std::string at_utc, language;
     bool demonstration = false;
     int64_t attempt_id = 0;  ///< Of an attempt; else 0.
+    int64_t answer_id = 0;   ///< Of a set of answers; else 0.
     bool counts = true;      ///< False for an attempt that no analysis uses: void, or done again.
     bool waits = false;      ///< An attempt that may yet count: it waits for its replay.
     std::map<std::string, std::string> values;  ///< Field id to value; missing is absent.

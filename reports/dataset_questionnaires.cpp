@@ -114,6 +114,7 @@ Row answer_row(const curriculum::Questionnaire& questionnaire, const Form& form,
                const db::AnswerRecord& record) {
     Row row;
     row.participant = record.participant;
+    row.answer_id = record.id;
     row.at_utc = record.answered_utc;
     row.language = record.language;
     row.demonstration = record.demonstration;

@@ -31,6 +31,7 @@ QString address(const Dataset& data, const std::string& thing) {
 QJsonObject in_english(const QString& value) { return {{"en", value}}; }
 
 /// The same data give the same id: a store that has the statement already says so.
+/// @param key of the thing in the store, not its place in a form: that changes with what is added.
 QString statement_id(const Dataset& data, const std::string& key) {
     static const QUuid space(QStringLiteral("{5f0b7b0e-8c0e-5d0a-9d53-2a7d52b0a1c4}"));
     return QUuid::createUuidV5(space, text(data.id + "|" + key)).toString(QUuid::WithoutBraces);
@@ -112,7 +113,8 @@ QString response_of(const Field& field, const std::string& value) {
 
 QJsonObject answered(const Dataset& data, const Form& form, const Row& row, const Field& field,
                      const std::string& value) {
-    QJsonObject object = statement(data, form, row, "answered", cell_key(form, row, field));
+    QJsonObject object = statement(data, form, row, "answered",
+                                   "answer|" + std::to_string(row.answer_id) + "|" + field.id);
     object["object"] =
         QJsonObject{{"objectType", "Activity"},
                     {"id", address(data, "questionnaire/" + form.id + "/" +
@@ -134,12 +136,11 @@ QJsonObject attempted(const Dataset& data, const Form& form, const Row& row) {
     };
     // What does not count is neither passed nor failed, and what is to be done again not completed.
     const bool passed = row.counts && value("verdict") == "Passed";
-    QJsonObject object =
-        statement(data, form, row,
-                  !row.counts ? "terminated"
-                  : passed    ? "passed"
-                              : "failed",
-                  form.name + "|" + row.participant + "|" + std::to_string(row.instance));
+    QJsonObject object = statement(data, form, row,
+                                   !row.counts ? "terminated"
+                                   : passed    ? "passed"
+                                               : "failed",
+                                   "attempt|" + std::to_string(row.attempt_id));
     object["object"] = QJsonObject{
         {"objectType", "Activity"},
         {"id", address(data, "task/" + value("task_id") + "/" + value("task_version"))},

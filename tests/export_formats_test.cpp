@@ -16,6 +16,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "reports/xapi.h"
 #include "tests/export_fixture.h"
 
 using namespace placode;
@@ -322,6 +323,74 @@ TEST_F(Export, XapiStatementsHaveOneActorAndStableIds) {
         QJsonDocument::fromJson(QByteArray::fromStdString(read_text(out("again/s1_xapi.json"))))
             .array();
     EXPECT_EQ(first[0]["id"], second[0]["id"]) << "a store can tell that it has it already";
+}
+
+/// Id to the name of what was answered, with the response, or to the start of the attempt.
+std::map<std::string, std::string> told_by(const std::vector<reports::XapiStatement>& statements) {
+    std::map<std::string, std::string> told;
+    for (const auto& each : statements) {
+        const auto json = QJsonDocument::fromJson(QByteArray::fromStdString(each.json));
+        const QString name = json["object"]["definition"]["name"]["en"].toString();
+        const QString response = json["result"]["response"].toString();
+        told[each.id] = each.timestamp + " " + name.toStdString() + " " + response.toStdString();
+    }
+    return told;
+}
+
+TEST_F(Export, XapiIdsStayWithWhatTheyTellOf) {
+    const auto save = [&](const std::string& started_utc) {
+        db::AttemptResult result;
+        result.header.task_id = "diathermy_ring";
+        result.header.started_utc = started_utc;
+        result.header.demonstration = true;
+        result.end = {sim::EndReason::kFinished, 62.5, 7, 0};
+        store->attempts().save(store->accounts().find_login("anna")->id, result);
+    };
+    const auto attempts = [&] {
+        return told_by(reports::xapi_statements(
+            reports::user_dataset(*store, *store->accounts().find_login("anna"))));
+    };
+    save("2026-11-21T12:00:00.000Z");
+    save("2026-11-21T13:00:00.000Z");
+    const auto sent = attempts();
+    ASSERT_EQ(sent.size(), 2u);
+    save("2026-11-21T11:00:00.000Z");  // Made earlier, and saved late.
+    save("2026-11-21T14:00:00.000Z");
+    const auto now = attempts();
+    EXPECT_EQ(now.size(), 4u);
+    for (const auto& [id, what] : sent) {
+        ASSERT_TRUE(now.contains(id)) << what;
+        EXPECT_EQ(now.at(id), what);
+    }
+}
+
+TEST_F(Export, XapiIdsOfAnswersOutliveAnotherVersion) {
+    const auto sent = told_by(reports::xapi_statements(source().data));
+    auto changed = QJsonDocument::fromJson(kQuestionnaire).object();
+    changed["version"] = 2;
+    db::DefinitionRecord definition;
+    definition.kind = "questionnaire";
+    definition.id = "kinds";
+    definition.version = 2;
+    definition.json = QJsonDocument(changed).toJson().toStdString();
+    definition.reason = "another version";
+    store->definitions().publish(definition);
+    db::AnswerRecord record;
+    record.study_id = "s1";
+    record.participant = codes[0];
+    record.questionnaire_id = "kinds";
+    record.questionnaire_version = 2;
+    record.answered_utc = "2026-11-21T12:15:00Z";
+    record.answers = {{"B", "2"}};
+    store->studies().save_answers(record);
+    const auto data = source().data;
+    ASSERT_NE(data.form("kinds_v1"), nullptr) << "the form has another name now";
+    const auto now = told_by(reports::xapi_statements(data));
+    EXPECT_EQ(now.size(), sent.size() + 1);
+    for (const auto& [id, what] : sent) {
+        ASSERT_TRUE(now.contains(id)) << what;
+        EXPECT_EQ(now.at(id), what);
+    }
 }
 
 TEST_F(Export, AProcedureThatWasEndedTooEarlyIsFinishedInNoFormat) {
