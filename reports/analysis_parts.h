@@ -3,6 +3,7 @@
 #pragma once
 // What the analyses share. Private to reports.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,14 @@ namespace placode::reports {
 [[nodiscard]] std::vector<const Field*> metric_fields(const Form& attempts);
 [[nodiscard]] std::string metric_label(const Field& field);  ///< With its unit.
 [[nodiscard]] std::optional<double> value_of(const Row& row, const std::string& field);
+/// Rows that count, by task: attempts at different tasks are no repeats of each other.
+using RowsByTask = std::map<std::string, std::vector<const Row*>>;
+/// @pre `attempts` outlives the result.
+[[nodiscard]] RowsByTask counted_by_task(const Form& attempts);
+/// "ring: " before what is said of one of several tasks; nothing where there is only one.
+[[nodiscard]] std::string task_before(const RowsByTask& all, const std::string& task);
+/// "_ring" behind the name of a figure of one of several tasks.
+[[nodiscard]] std::string task_behind(const RowsByTask& all, const std::string& task);
 /// Nothing where the scores do not vary.
 [[nodiscard]] std::optional<assessment::Icc> icc_of(const assessment::Scores& scores);
 /// Three significant digits, '.' decimals.

@@ -80,23 +80,37 @@ std::optional<Levels> levels_by(const Dataset& data, const std::string& id) {
     return levels;
 }
 
+/// What is compared with each other: attempts at one task, but where the tasks are the levels.
+RowsByTask compared_rows(const Form& attempts, const Levels& levels) {
+    RowsByTask tasks = counted_by_task(attempts);
+    if (levels.of_attempt == nullptr || levels.of_attempt->id != "task_id") return tasks;
+    std::vector<const Row*> together;
+    for (const auto& [task, rows] : tasks)
+        together.insert(together.end(), rows.begin(), rows.end());
+    return {{std::string(), together}};
+}
+
 /// Means of each person in each level: repeats of one person are not independent.
-std::vector<std::vector<double>> person_means(const Form& attempts, const Field& field,
-                                              const Levels& levels) {
+std::vector<std::vector<double>> person_means(const std::vector<const Row*>& rows,
+                                              const Field& field, const Levels& levels) {
     std::map<std::pair<size_t, std::string>, std::vector<double>> values;
-    for (const Row& row : attempts.rows) {
-        if (!row.counts) continue;
-        const auto level = levels.level_of(row);
-        const auto value = value_of(row, field.id);
-        if (level && value) values[{*level, row.participant}].push_back(*value);
+    for (const Row* row : rows) {
+        const auto level = levels.level_of(*row);
+        const auto value = value_of(*row, field.id);
+        if (level && value) values[{*level, row->participant}].push_back(*value);
     }
     std::vector<std::vector<double>> means(levels.names.size());
     for (const auto& [key, list] : values) means[key.first].push_back(*assessment::mean_of(list));
     return means;
 }
 
+bool enough_people(const std::vector<std::vector<double>>& groups) {
+    return std::all_of(groups.begin(), groups.end(),
+                       [](const auto& group) { return group.size() >= kLeastPeople; });
+}
+
 struct Comparison {
-    const Field* field = nullptr;
+    std::string label;  ///< Metric, and task where there are several.
     std::vector<std::vector<double>> values;
     double p = 1, effect = 0;
     std::optional<assessment::Interval> interval;
@@ -104,12 +118,11 @@ struct Comparison {
 };
 
 /// Two levels: exact where small; more: Kruskal and Wallis.
-std::optional<Comparison> compare(const Field& field, std::vector<std::vector<double>> values,
+std::optional<Comparison> compare(const std::string& label, std::vector<std::vector<double>> values,
                                   const Levels& levels) {
-    for (const auto& group : values)
-        if (group.size() < kLeastPeople) return std::nullopt;
+    if (!enough_people(values)) return std::nullopt;
     Comparison found;
-    found.field = &field;
+    found.label = label;
     std::vector<double> all;
     for (const auto& group : values) all.insert(all.end(), group.begin(), group.end());
     if (*std::min_element(all.begin(), all.end()) == *std::max_element(all.begin(), all.end()))
@@ -140,7 +153,7 @@ Figure effects_figure(const std::vector<Comparison>& list, const std::vector<dou
     double low = -1, high = 1;
     for (size_t i = 0; i < list.size(); ++i) {
         ForestRow row;
-        row.label = metric_label(*list[i].field);
+        row.label = list[i].label;
         row.estimate = list[i].effect;
         row.no_interval = !list[i].interval;
         if (list[i].interval) row.low = list[i].interval->low, row.high = list[i].interval->high;
@@ -165,8 +178,8 @@ Figure effects_figure(const std::vector<Comparison>& list, const std::vector<dou
 std::string comparison_method(const Levels& levels, size_t metrics) {
     const bool two = levels.names.size() == 2;
     return "Levels: " + levels.label +
-           ". Means of each person over the attempts, then compared between levels: mean (SD), "
-           "n. " +
+           ". Means of each person over the attempts at a task, then compared between levels: mean "
+           "(SD), n. " +
            (two ? "Hedges' g with its 95 % interval by the noncentral t distribution, positive "
                   "where "
                   "\"" +
@@ -186,7 +199,7 @@ void fill_table(const std::vector<Comparison>& list, const std::vector<double>& 
         two ? std::initializer_list<std::string>{"g", "95 % interval", "p", "p (Holm)"}
             : std::initializer_list<std::string>{"epsilon2", "p", "p (Holm)"});
     for (size_t i = 0; i < list.size(); ++i) {
-        std::vector<AnalysisCell> row{{metric_label(*list[i].field), {}}};
+        std::vector<AnalysisCell> row{{list[i].label, {}}};
         for (const auto& group : list[i].values)
             row.push_back({group_text(group), assessment::mean_of(group)});
         row.push_back({rounded(list[i].effect), list[i].effect});
@@ -194,6 +207,22 @@ void fill_table(const std::vector<Comparison>& list, const std::vector<double>& 
         row.push_back({p_words(list[i].p), list[i].p});
         row.push_back({p_words(holm[i]), holm[i]});
         analysis.rows.push_back(std::move(row));
+    }
+}
+
+/// Scores by level, a figure a task.
+void add_score_strips(const RowsByTask& tasks, const Field& field, const Levels& levels,
+                      const ChartStyle& style, Analysis& analysis) {
+    for (const auto& [task, rows] : tasks) {
+        const auto points = person_means(rows, field, levels);
+        if (!enough_people(points)) continue;
+        std::vector<StripGroup> strips;
+        for (size_t i = 0; i < levels.names.size(); ++i)
+            strips.push_back({levels.names[i], points[i]});
+        analysis.figures.push_back(strip_figure("construct_points" + task_behind(tasks, task),
+                                                task_before(tasks, task) + "Score by level",
+                                                "score [points], mean of each person", strips,
+                                                style));
     }
 }
 
@@ -208,9 +237,11 @@ std::vector<Grouping> possible_groupings(const Dataset& data) {
         const auto levels = levels_by(data, id);
         if (!levels || levels->names.size() < 2 || levels->names.size() > kMostLevels) return;
         const Field* points = attempts->field("points");
-        for (const auto& group : person_means(*attempts, *points, *levels))
-            if (group.size() < kLeastPeople) return;
-        list.push_back({id, field.label});
+        for (const auto& [task, rows] : compared_rows(*attempts, *levels)) {
+            if (!enough_people(person_means(rows, *points, *levels))) continue;
+            list.push_back({id, field.label});
+            return;
+        }
     };
     // Who people are before what they think.
     for (const bool opinion : {false, true})
@@ -239,10 +270,13 @@ Analysis construct_validity(const StudyReport& report, const std::string& by,
         analysis.problem = "There are no two levels with attempts of at least two people each.";
         return analysis;
     }
+    const RowsByTask tasks = compared_rows(*attempts, *levels);
     std::vector<Comparison> list;
-    for (const Field* field : metric_fields(*attempts))
-        if (auto found = compare(*field, person_means(*attempts, *field, *levels), *levels))
-            list.push_back(std::move(*found));
+    for (const auto& [task, rows] : tasks)
+        for (const Field* field : metric_fields(*attempts))
+            if (auto found = compare(task_before(tasks, task) + metric_label(*field),
+                                     person_means(rows, *field, *levels), *levels))
+                list.push_back(std::move(*found));
     if (list.empty()) {
         analysis.problem = "No metric has values of at least two people in every level of \"" +
                            levels->label + "\" that differ.";
@@ -254,12 +288,7 @@ Analysis construct_validity(const StudyReport& report, const std::string& by,
     analysis.method = comparison_method(*levels, list.size());
     fill_table(list, holm, *levels, analysis);
     analysis.figures.push_back(effects_figure(list, holm, *levels, style));
-    std::vector<StripGroup> strips;
-    const auto points = person_means(*attempts, *attempts->field("points"), *levels);
-    for (size_t i = 0; i < levels->names.size(); ++i)
-        strips.push_back({levels->names[i], points[i]});
-    analysis.figures.push_back(strip_figure("construct_points", "Score by level",
-                                            "score [points], mean of each person", strips, style));
+    add_score_strips(tasks, *attempts->field("points"), *levels, style, analysis);
     return analysis;
 }
 

@@ -66,8 +66,10 @@ struct LearningLine {
 };
 /// Above: scores over attempts, everybody thin, the mean thick. Below: CUSUM of everybody with the
 /// limits h0 and h1.
+/// @param pass_points no line where it is empty: several marks judged these attempts.
 [[nodiscard]] Figure learning_figure(const std::string& id, const std::string& title,
-                                     const std::vector<LearningLine>& lines, double pass_points,
+                                     const std::vector<LearningLine>& lines,
+                                     std::optional<double> pass_points,
                                      const assessment::CusumLimits& limits,
                                      const ChartStyle& style);
 

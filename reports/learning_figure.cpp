@@ -76,7 +76,7 @@ std::vector<double> means_of(const std::vector<LearningLine>& lines) {
 }
 
 void draw_learning(QPainter& painter, const QRectF& where, const std::vector<LearningLine>& lines,
-                   double pass_points, const assessment::CusumLimits& limits,
+                   std::optional<double> pass_points, const assessment::CusumLimits& limits,
                    const ChartStyle& style) {
     size_t longest = 1;
     for (const LearningLine& line : lines) longest = std::max(longest, line.points.size());
@@ -98,8 +98,9 @@ void draw_learning(QPainter& painter, const QRectF& where, const std::vector<Lea
     }
     sums.y = {low - 0.5, high + 0.5, sums.plot.bottom(), sums.plot.top()};
     draw_axes(painter, scores, figure_word("score [points of 100]"), false, style);
-    draw_limit(painter, scores, pass_points,
-               figure_word("pass mark of the task: %1").arg(number(pass_points, 0)), style);
+    if (pass_points)
+        draw_limit(painter, scores, *pass_points,
+                   figure_word("pass mark of the task: %1").arg(number(*pass_points, 0)), style);
     for (const LearningLine& line : lines)
         draw_line(painter, scores, line.points, 1, QPen(colour(style.muted), 0.8), 1.6);
     draw_line(painter, scores, means_of(lines), 1, QPen(colour(style.accent), 2.4), 3.4);
@@ -154,7 +155,7 @@ void draw_flow(QPainter& painter, const QRectF& where, const std::vector<Box>& b
 }  // namespace
 
 Figure learning_figure(const std::string& id, const std::string& title,
-                       const std::vector<LearningLine>& lines, double pass_points,
+                       const std::vector<LearningLine>& lines, std::optional<double> pass_points,
                        const assessment::CusumLimits& limits, const ChartStyle& style) {
     Figure figure;
     figure.id = id;

@@ -18,20 +18,21 @@
 namespace placode::reports {
 namespace {
 
-/// Participant to (first, second) of one metric.
-std::vector<std::vector<double>> pairs_of(const StudyReport& report, const Form& attempts,
-                                          const Field& field, bool by_visit) {
+/// Participant to (first, second) of one metric in `rows`, the attempts at one task.
+std::vector<std::vector<double>> pairs_of(const StudyReport& report,
+                                          const std::vector<const Row*>& rows, const Field& field,
+                                          bool by_visit) {
     std::map<int64_t, int> visit;
     for (const db::StepRecord& step : report.steps)
         if (step.attempt_id > 0) visit[step.attempt_id] = step.visit;
     std::map<std::string, std::vector<double>> first, second, all;
-    for (const Row& row : attempts.rows) {
-        const auto value = value_of(row, field.id);
-        if (!value || !row.counts) continue;
-        all[row.participant].push_back(*value);
-        const int when = visit.contains(row.attempt_id) ? visit[row.attempt_id] : 1;
-        if (when == 1) first[row.participant].push_back(*value);
-        if (when == 2) second[row.participant].push_back(*value);
+    for (const Row* row : rows) {
+        const auto value = value_of(*row, field.id);
+        if (!value) continue;
+        all[row->participant].push_back(*value);
+        const int when = visit.contains(row->attempt_id) ? visit[row->attempt_id] : 1;
+        if (when == 1) first[row->participant].push_back(*value);
+        if (when == 2) second[row->participant].push_back(*value);
     }
     std::vector<std::vector<double>> pairs;
     if (by_visit) {
@@ -46,30 +47,33 @@ std::vector<std::vector<double>> pairs_of(const StudyReport& report, const Form&
     return pairs;
 }
 
-/// One metric with both values of everybody.
+/// One metric of a task with both values of everybody.
 struct Retest {
-    const Field* field;
+    std::string label;
     assessment::Icc icc;
     std::vector<double> first, second;
 };
 
-/// The metrics that at least three people have twice, and in which people differ.
+/// The metrics that at least three people have twice at one task, and in which people differ.
 std::vector<Retest> retests_of(const StudyReport& report, bool by_visit) {
     std::vector<Retest> lines;
     const Form* attempts = report.data.form("attempts");
     if (attempts == nullptr) return lines;
-    for (const Field* field : metric_fields(*attempts)) {
-        const auto pairs = pairs_of(report, *attempts, *field, by_visit);
-        if (pairs.size() < 3) continue;
-        Retest line{field, {}, {}, {}};
-        for (const auto& pair : pairs)
-            line.first.push_back(pair[0]), line.second.push_back(pair[1]);
-        const auto spread = assessment::sample_sd(line.first);
-        if (!spread || *spread == 0) continue;
-        const auto icc = icc_of(pairs);
-        if (!icc) continue;
-        line.icc = *icc;
-        lines.push_back(std::move(line));
+    const RowsByTask tasks = counted_by_task(*attempts);
+    for (const auto& [task, rows] : tasks) {
+        for (const Field* field : metric_fields(*attempts)) {
+            const auto pairs = pairs_of(report, rows, *field, by_visit);
+            if (pairs.size() < 3) continue;
+            Retest line{task_before(tasks, task) + metric_label(*field), {}, {}, {}};
+            for (const auto& pair : pairs)
+                line.first.push_back(pair[0]), line.second.push_back(pair[1]);
+            const auto spread = assessment::sample_sd(line.first);
+            if (!spread || *spread == 0) continue;
+            const auto icc = icc_of(pairs);
+            if (!icc) continue;
+            line.icc = *icc;
+            lines.push_back(std::move(line));
+        }
     }
     return lines;
 }
@@ -85,12 +89,14 @@ Analysis test_retest(const StudyReport& report, const ChartStyle& style) {
         by_visit = by_visit || (step.visit == 2 && step.attempt_id > 0 && !step.superseded());
     const std::vector<Retest> lines = retests_of(report, by_visit);
     if (lines.empty()) {
-        analysis.problem = "At least three people with two attempts each are needed.";
+        analysis.problem =
+            "At least three people with two attempts each at the same task are needed.";
         return analysis;
     }
     analysis.method =
-        std::string(by_visit ? "Means of the first against those of the second visit."
-                             : "The last two attempts of everybody, because there is one visit.") +
+        std::string(by_visit ? "Means of the first against those of the second visit, task by task."
+                             : "The last two attempts of everybody at a task, because there is one "
+                               "visit.") +
         " ICC(2,1), absolute agreement, single measure, with its 95 % interval (Shrout & Fleiss); "
         "SEM: standard error of measurement; MDC95 = 1.96 sqrt(2) SEM: what a single person must "
         "change by to have changed.";
@@ -99,7 +105,7 @@ Analysis test_retest(const StudyReport& report, const ChartStyle& style) {
     for (const Retest& line : lines) {
         const double sem = line.icc.sem_agreement, mdc = 1.96 * std::sqrt(2.0) * sem;
         const auto& form = line.icc.icc2;
-        analysis.rows.push_back({{metric_label(*line.field), {}},
+        analysis.rows.push_back({{line.label, {}},
                                  {std::to_string(line.icc.subjects), line.icc.subjects},
                                  {group_text(line.first), assessment::mean_of(line.first)},
                                  {group_text(line.second), assessment::mean_of(line.second)},
@@ -107,11 +113,10 @@ Analysis test_retest(const StudyReport& report, const ChartStyle& style) {
                                  {interval_words(form.ci95), {}},
                                  {rounded(sem), sem},
                                  {rounded(mdc), mdc}});
-        forest.push_back({metric_label(*line.field), std::clamp(form.icc, -1.0, 1.0),
-                          std::clamp(form.ci95.low, -1.0, 1.0),
-                          std::clamp(form.ci95.high, -1.0, 1.0),
-                          "n " + std::to_string(line.icc.subjects),
-                          !std::isfinite(form.ci95.low) || !std::isfinite(form.ci95.high)});
+        forest.push_back(
+            {line.label, std::clamp(form.icc, -1.0, 1.0), std::clamp(form.ci95.low, -1.0, 1.0),
+             std::clamp(form.ci95.high, -1.0, 1.0), "n " + std::to_string(line.icc.subjects),
+             !std::isfinite(form.ci95.low) || !std::isfinite(form.ci95.high)});
     }
     analysis.figures.push_back(forest_figure("test_retest", "Test-retest: ICC(2,1)",
                                              "ICC(2,1), absolute agreement", forest, -1, 1, style));

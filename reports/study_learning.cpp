@@ -35,6 +35,24 @@ std::optional<double> value_of(const Row& row, const std::string& field) {
     return found == row.values.end() ? std::nullopt : curriculum::answer_number(found->second);
 }
 
+RowsByTask counted_by_task(const Form& attempts) {
+    RowsByTask tasks;
+    for (const Row& row : attempts.rows) {
+        if (!row.counts) continue;
+        const auto task = row.values.find("task_id");
+        tasks[task == row.values.end() ? std::string() : task->second].push_back(&row);
+    }
+    return tasks;
+}
+
+std::string task_before(const RowsByTask& all, const std::string& task) {
+    return all.size() > 1 ? task + ": " : std::string();
+}
+
+std::string task_behind(const RowsByTask& all, const std::string& task) {
+    return all.size() > 1 ? "_" + task : std::string();
+}
+
 std::optional<assessment::Icc> icc_of(const assessment::Scores& scores) {
     try {
         const auto icc = assessment::intraclass_correlation(scores);
@@ -68,20 +86,18 @@ std::string interval_words(const std::optional<assessment::Interval>& interval) 
 
 namespace {
 
-constexpr double kPass = 70;
-
 struct Learner {
     std::vector<double> points;
     std::vector<bool> failed;
 };
 
-std::map<std::string, Learner> learners_of(const Form& attempts) {
+std::map<std::string, Learner> learners_of(const std::vector<const Row*>& rows) {
     std::map<std::string, Learner> learners;
-    for (const Row& row : attempts.rows) {
-        const auto points = value_of(row, "points");
-        const auto verdict = row.values.find("verdict");
-        if (!points || verdict == row.values.end() || !row.counts) continue;
-        Learner& learner = learners[row.participant];
+    for (const Row* row : rows) {
+        const auto points = value_of(*row, "points");
+        const auto verdict = row->values.find("verdict");
+        if (!points || verdict == row->values.end()) continue;
+        Learner& learner = learners[row->participant];
         learner.points.push_back(*points);
         learner.failed.push_back(verdict->second != "Passed");
     }
@@ -97,32 +113,13 @@ std::string cusum_words(const assessment::Cusum& cusum) {
     return "undecided";
 }
 
-}  // namespace
-
-Analysis learning_curves(const StudyReport& report, const ChartStyle& style) {
-    Analysis analysis;
-    analysis.id = "learning_curves";
-    analysis.title = "Learning curves";
-    const Form* attempts = report.data.form("attempts");
-    const auto learners =
-        attempts == nullptr ? std::map<std::string, Learner>{} : learners_of(*attempts);
-    if (learners.empty()) {
-        analysis.problem = attempts == nullptr || attempts->rows.empty()
-                               ? "There are no attempts yet."
-                               : "There are attempts, but none of them counts.";
-        return analysis;
-    }
-    const auto limits = assessment::cusum_limits(0.05, 0.10, 0.05, 0.20);
-    analysis.method =
-        "Scores over attempts; y = a - b exp(-(x - 1) / tau) by least squares from 5 attempts on, "
-        "plateau where 95 % of the gain is reached and the slope of the last 10 contains 0. CUSUM "
-        "with p0 0.05, p1 0.10, alpha 0.05, beta 0.20 (limits h0 " +
-        rounded(limits.h0_lower) + ", h1 " + rounded(limits.h1_upper) +
-        "); an attempt that did not pass is a failure.";
-    analysis.head = {"participant", "attempts", "first",           "last", "best", "failures",
-                     "plateau a",   "tau",      "plateau reached", "CUSUM"};
+/// A row for everybody who made attempts at one task. Returns the lines of its figure.
+/// @param before of the names, where there are several tasks.
+std::vector<LearningLine> fill_learners(const std::vector<const Row*>& rows,
+                                        const std::string& before,
+                                        const assessment::CusumLimits& limits, Analysis& analysis) {
     std::vector<LearningLine> lines;
-    for (const auto& [code, learner] : learners) {
+    for (const auto& [code, learner] : learners_of(rows)) {
         lines.push_back({code, learner.points, learner.failed});
         const auto curve = assessment::learning_curve(learner.points);
         const auto chart = assessment::cusum(learner.failed, limits);
@@ -130,7 +127,7 @@ Analysis learning_curves(const StudyReport& report, const ChartStyle& style) {
         const bool fitted = curve.exponential && curve.exponential->converged;
         const auto n = static_cast<double>(learner.points.size());
         analysis.rows.push_back(
-            {{code, {}},
+            {{before + code, {}},
              {std::to_string(learner.points.size()), n},
              cell(learner.points.front()),
              cell(learner.points.back()),
@@ -141,8 +138,38 @@ Analysis learning_curves(const StudyReport& report, const ChartStyle& style) {
              {curve.exponential ? (curve.plateau ? "yes" : "no") : "too few attempts", {}},
              {cusum_words(chart), {}}});
     }
-    analysis.figures.push_back(learning_figure("learning_curves", "Scores and CUSUM over attempts",
-                                               lines, kPass, limits, style));
+    return lines;
+}
+
+}  // namespace
+
+Analysis learning_curves(const StudyReport& report, const ChartStyle& style) {
+    Analysis analysis;
+    analysis.id = "learning_curves";
+    analysis.title = "Learning curves";
+    const Form* attempts = report.data.form("attempts");
+    const RowsByTask tasks = attempts == nullptr ? RowsByTask{} : counted_by_task(*attempts);
+    const auto limits = assessment::cusum_limits(0.05, 0.10, 0.05, 0.20);
+    analysis.method =
+        "Scores over attempts at a task; y = a - b exp(-(x - 1) / tau) by least squares from 5 "
+        "attempts on, plateau where 95 % of the gain is reached and the slope of the last 10 "
+        "contains 0. CUSUM with p0 0.05, p1 0.10, alpha 0.05, beta 0.20 (limits h0 " +
+        rounded(limits.h0_lower) + ", h1 " + rounded(limits.h1_upper) +
+        "); an attempt that did not pass is a failure.";
+    analysis.head = {"participant", "attempts", "first",           "last", "best", "failures",
+                     "plateau a",   "tau",      "plateau reached", "CUSUM"};
+    for (const auto& [task, rows] : tasks) {
+        const std::string before = task_before(tasks, task);
+        const auto lines = fill_learners(rows, before, limits, analysis);
+        if (lines.empty()) continue;
+        analysis.figures.push_back(learning_figure("learning_curves" + task_behind(tasks, task),
+                                                   before + "Scores and CUSUM over attempts", lines,
+                                                   report.pass_mark(task), limits, style));
+    }
+    if (analysis.rows.empty())
+        analysis.problem = attempts == nullptr || attempts->rows.empty()
+                               ? "There are no attempts yet."
+                               : "There are attempts, but none of them counts.";
     return analysis;
 }
 

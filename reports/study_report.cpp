@@ -5,10 +5,44 @@
 #include <algorithm>
 #include <set>
 
+#include "db/evidence.h"
+#include "db/standards.h"
 #include "reports/paper.h"
 #include "reports/study_report_parts.h"
 
 namespace placode::reports {
+
+namespace {
+
+/// Attempts are judged by the mark of their day (db/evidence.h).
+std::map<std::string, double> marks_of(db::Store& store, const Dataset& data) {
+    std::map<std::pair<std::string, int>, std::optional<curriculum::Task>> known;
+    std::map<std::string, std::set<std::optional<double>>> marks;
+    const Form* form = data.form("attempts");
+    const size_t n = form == nullptr ? 0 : std::min(form->rows.size(), data.attempts.size());
+    for (size_t i = 0; i < n; ++i) {
+        const db::AttemptRecord& record = data.attempts[i].record;
+        if (!form->rows[i].counts) continue;
+        auto at = known.find({record.task_id, record.task_version});
+        if (at == known.end())
+            at = known
+                     .emplace(std::pair(record.task_id, record.task_version),
+                              db::published_task(store, record.task_id, record.task_version))
+                     .first;
+        auto& own = marks[record.task_id];
+        // Of a task that is published nowhere the mark is not known.
+        if (!at->second)
+            own.insert(std::nullopt);
+        else
+            own.insert(db::rubric_at(store, *at->second, record.started_utc).pass_points);
+    }
+    std::map<std::string, double> found;
+    for (const auto& [task, own] : marks)
+        if (own.size() == 1 && own.begin()->has_value()) found[task] = **own.begin();
+    return found;
+}
+
+}  // namespace
 
 StudyReport read_study_report(db::Store& store, const std::string& study_id,
                               const std::string& language) {
@@ -25,6 +59,7 @@ StudyReport read_study_report(db::Store& store, const std::string& study_id,
     report.record_states = store.records().states(study_id);
     report.corrections = store.records().corrections(study_id);
     report.ratings = store.reviews().ratings("osats");
+    report.pass_marks = marks_of(store, report.data);
     return report;
 }
 

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct StudyReport {
     std::map<std::string, db::RecordState> record_states;
     std::vector<db::Correction> corrections;
     std::vector<db::RatingRecord> ratings;  ///< By the OSATS form, of all attempts.
+    /// By task: the mark that judged all of its attempts that count. Absent where several did.
+    std::map<std::string, double> pass_marks;
+
+    [[nodiscard]] std::optional<double> pass_mark(const std::string& task) const {
+        const auto found = pass_marks.find(task);
+        return found == pass_marks.end() ? std::nullopt : std::optional(found->second);
+    }
 };
 
 /// Reads what the report needs. Throws ReportError as study_dataset() does.

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "reports/analysis_parts.h"
 #include "reports/export.h"
 #include "reports/report.h"
 #include "reports/study_report_parts.h"
@@ -87,26 +88,31 @@ std::optional<Figure> comparison_figure(const StudyNumbers& numbers, const Chart
         "Cliff's delta (right: " + comparison.group1 + " answered higher)", rows, -1, 1, style);
 }
 
-std::optional<Figure> performance_figure(const Dataset& data, const ChartStyle& style) {
-    const Form* form = data.form("attempts");
-    if (form == nullptr) return std::nullopt;
-    std::map<std::string, LearningLine> lines;
-    for (const Row& row : form->rows) {
-        if (!row.counts) continue;
-        const auto points = row.values.find("points"), verdict = row.values.find("verdict");
-        if (points == row.values.end() || verdict == row.values.end()) continue;
-        if (verdict->second == "Not attempted") continue;
-        LearningLine& line = lines[row.participant];
-        line.label = row.participant;
-        line.points.push_back(curriculum::answer_number(points->second).value_or(0));
-        line.failed.push_back(verdict->second != "Passed");
+/// One of every task: attempts at another one are no repeats.
+void add_performance_figures(std::vector<Figure>& figures, const StudyReport& report,
+                             const ChartStyle& style) {
+    const Form* form = report.data.form("attempts");
+    if (form == nullptr) return;
+    const RowsByTask tasks = counted_by_task(*form);
+    for (const auto& [task, rows] : tasks) {
+        std::map<std::string, LearningLine> lines;
+        for (const Row* row : rows) {
+            const auto points = row->values.find("points"), verdict = row->values.find("verdict");
+            if (points == row->values.end() || verdict == row->values.end()) continue;
+            if (verdict->second == "Not attempted") continue;
+            LearningLine& line = lines[row->participant];
+            line.label = row->participant;
+            line.points.push_back(curriculum::answer_number(points->second).value_or(0));
+            line.failed.push_back(verdict->second != "Passed");
+        }
+        std::vector<LearningLine> list;
+        for (auto& [code, line] : lines) list.push_back(std::move(line));
+        if (list.empty()) continue;
+        figures.push_back(learning_figure(
+            "learning_attempts" + task_behind(tasks, task),
+            task_before(tasks, task) + "Scores and CUSUM over attempts", list,
+            report.pass_mark(task), assessment::cusum_limits(0.05, 0.10, 0.05, 0.20), style));
     }
-    std::vector<LearningLine> list;
-    for (auto& [code, line] : lines) list.push_back(std::move(line));
-    if (list.empty()) return std::nullopt;
-    constexpr double kPass = 70;
-    return learning_figure("learning_attempts", "Scores and CUSUM over attempts", list, kPass,
-                           assessment::cusum_limits(0.05, 0.10, 0.05, 0.20), style);
 }
 
 }  // namespace
@@ -116,7 +122,7 @@ std::vector<Figure> study_figures(const StudyReport& report, const StudyNumbers&
     std::vector<Figure> figures{flow_figure("flow", "Participants", flow_numbers(report), style)};
     for (const FormNumbers& form : numbers.forms) add_form_figures(figures, form, style);
     if (auto figure = comparison_figure(numbers, style)) figures.push_back(std::move(*figure));
-    if (auto figure = performance_figure(report.data, style)) figures.push_back(std::move(*figure));
+    add_performance_figures(figures, report, style);
     return figures;
 }
 

@@ -23,8 +23,10 @@ using testing::HasSubstr;
 namespace THIS_TEST {
 
 /// `people` participants with `trials` attempts each; points(person, trial) says the score.
+/// @param tasks in turn, one a trial.
 template <class Points>
-reports::StudyReport study_with(int people, int trials, Points points) {
+reports::StudyReport study_with(int people, int trials, Points points,
+                                const std::vector<std::string>& tasks = {"ring"}) {
     reports::StudyReport report;
     std::vector<std::string> owners;
     for (int person = 0; person < people; ++person) {
@@ -32,7 +34,7 @@ reports::StudyReport study_with(int people, int trials, Points points) {
         for (int trial = 0; trial < trials; ++trial) {
             db::AttemptDetail attempt;
             attempt.record.id = 100 * person + trial + 1;
-            attempt.record.task_id = "ring";
+            attempt.record.task_id = tasks[static_cast<size_t>(trial) % tasks.size()];
             attempt.record.started_utc = "2026-01-01T00:00:0" + std::to_string(trial) + "Z";
             attempt.record.device = person % 2 == 0 ? "script:novice" : "script:expert";
             attempt.record.points = points(person, trial);
@@ -118,6 +120,44 @@ TEST(StudyAnalysis, TestRetestOfTheLastTwoAttemptsIsShroutAndFleiss) {
     EXPECT_NE(reports::test_retest(study_with(5, 2, [](int, int) { return 3.0; })).problem, "");
     EXPECT_NO_THROW((void)reports::test_retest(
         study_with(5, 2, [](int person, int trial) { return 1.0 * person + trial; })));
+}
+
+const std::vector<std::string> kTwoTasks{"a", "b"};
+
+TEST(StudyAnalysis, AnAttemptAtAnotherTaskIsNoRetest) {
+    const auto once = reports::test_retest(study_with(6, 2, retest_points, kTwoTasks));
+    EXPECT_THAT(once.problem, HasSubstr("at the same task"));
+    // a at trials 0 and 2, b at 1 and 3.
+    const auto score = [](int person, int trial) {
+        return (trial % 2 == 0 ? 0.0 : 50.0) + 3.0 * person + (trial > 1 && person > 2 ? 0.5 : 0.0);
+    };
+    const auto twice = reports::test_retest(study_with(6, 4, score, kTwoTasks));
+    ASSERT_EQ(twice.problem, "");
+    const size_t first = column(twice, "first");
+    EXPECT_NEAR(*row(twice, "a: Score")[first].value, 7.5, 1e-12);
+    EXPECT_NEAR(*row(twice, "b: Score")[first].value, 57.5, 1e-12);
+}
+
+TEST(StudyAnalysis, CurvesAndLevelsAreOfOneTask) {
+    const auto score = [](int person, int trial) {
+        return (trial % 2 == 0 ? 0.0 : 40.0) + (person % 2 == 0 ? 0.0 : 20.0) + person;
+    };
+    const auto report = study_with(8, 4, score, kTwoTasks);
+    const auto curves = reports::learning_curves(report);
+    EXPECT_EQ(curves.rows.size(), 16u);
+    EXPECT_EQ(row(curves, "a: P3")[column(curves, "attempts")].text, "2");
+    EXPECT_NEAR(*row(curves, "b: P3")[column(curves, "last")].value, 63, 1e-12);
+    ASSERT_EQ(curves.figures.size(), 2u);
+    EXPECT_EQ(curves.figures[0].id, "learning_curves_a");
+    const auto levels = reports::construct_validity(report, "attempts.device");
+    ASSERT_EQ(levels.problem, "");
+    const size_t novices = column(levels, "script:novice");
+    EXPECT_NEAR(*row(levels, "a: Score")[novices].value, 3, 1e-12);
+    EXPECT_NEAR(*row(levels, "b: Score")[novices].value, 43, 1e-12);
+    // Where the tasks are the levels, they are compared.
+    const auto tasks = reports::construct_validity(report, "attempts.task_id");
+    ASSERT_EQ(tasks.problem, "");
+    EXPECT_NEAR(*row(tasks, "Score")[column(tasks, "b")].value, 53.5, 1e-12);
 }
 
 TEST(StudyAnalysis, LearningCurveFindsTheCurveItWasMadeFrom) {

@@ -19,6 +19,7 @@
 #include <QXmlStreamReader>
 #include <cmath>
 
+#include "db/standards.h"
 #include "db/study_conduct.h"
 #include "db/study_records.h"
 #include "reports/csv_table.h"
@@ -386,6 +387,44 @@ TEST_F(StudyReportTest, AnAttemptThatDoesNotCountIsNotSaidToBeAnalysed) {
          {"answers or attempts analysed (n = 0)", "1 attempt (1 of them does not count)"})
         EXPECT_TRUE(text.contains(QString::fromUtf8(expected))) << expected << "\nnot in\n"
                                                                 << text.toStdString();
+}
+
+TEST_F(StudyReportTest, ThePassMarkIsTheOneThatJudgedTheAttempts) {
+    const std::string task = "diathermy_ring";
+    const curriculum::Task asked = curriculum::load_task(task);
+    const std::string code = store->studies().new_participant(kStudy, true);
+    db::record_consent(*store, kStudy, code, "en", {"read", "voluntary", "data"});
+    const int64_t user = store->accounts().create({"station", "Station", "correct horse", 1, true});
+    const auto perform = [&](const std::string& step_id, const std::string& started_utc) {
+        db::AttemptResult result;
+        result.header.task_id = task;
+        result.header.task_version = asked.version;
+        result.header.started_utc = started_utc;
+        result.header.mode = "study";
+        result.header.demonstration = true;
+        result.end.duration_s = 90;
+        result.score.points = 75;
+        result.score.verdict = assessment::Verdict::kPassed;
+        db::StepRecord step;
+        step.study_id = kStudy;
+        step.participant = code;
+        step.step = step_id;
+        step.attempt_id = test::save_recorded(*store, user, result, folder.path().string());
+        store->studies().record_step(step);
+        test::replay_as_identical(*store, step.attempt_id);
+    };
+    EXPECT_FALSE(report().pass_mark(task)) << "nobody was judged yet";
+    perform("procedure_1", "2020-01-01T10:00:00.000Z");
+    EXPECT_EQ(report().pass_mark(task), asked.rubric.pass_points);
+    curriculum::PassStandard standard;
+    standard.task_id = task;
+    standard.pass_points = 81;
+    standard.novice = {8, 40, 10, 0.05, 0.1};
+    standard.expert = {8, 90, 5, 0.04, 0.1};
+    db::set_standard(*store, standard, "");
+    EXPECT_EQ(report().pass_mark(task), asked.rubric.pass_points) << "it was judged before";
+    perform("procedure_2", "2099-01-01T10:00:00.000Z");
+    EXPECT_FALSE(report().pass_mark(task)) << "two marks: neither is drawn as the mark";
 }
 
 TEST_F(StudyReportTest, EveryFigureIsSvgPngAndDataAndSaysDemonstration) {

@@ -27,7 +27,8 @@ namespace {
     QT_TRANSLATE_NOOP("Analysis", "raters"),
     QT_TRANSLATE_NOOP("Analysis",
                       "There are no two levels with attempts of at least two people each."),
-    QT_TRANSLATE_NOOP("Analysis", "At least three people with two attempts each are needed."),
+    QT_TRANSLATE_NOOP("Analysis",
+                      "At least three people with two attempts each at the same task are needed."),
     QT_TRANSLATE_NOOP("Analysis", "There are no attempts yet."),
     QT_TRANSLATE_NOOP("Analysis", "There are attempts, but none of them counts."),
 };

@@ -7844,8 +7844,8 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Nie ma dwóch poziomów z próbami co najmniej dwóch osób.</translation>
     </message>
     <message>
-        <source>At least three people with two attempts each are needed.</source>
-        <translation>Potrzeba co najmniej trzech osób z dwiema próbami każda.</translation>
+        <source>At least three people with two attempts each at the same task are needed.</source>
+        <translation>Potrzeba co najmniej trzech osób, z których każda wykonała to samo zadanie dwa razy.</translation>
     </message>
     <message>
         <source>There are no attempts yet.</source>
