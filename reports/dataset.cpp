@@ -146,7 +146,7 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
                                            db::given_consents(steps), protocols, options));
     for (auto& record : store.studies().answers(study_id))
         if (usable.contains(record.participant)) data.answers.push_back(std::move(record));
-    add_questionnaires(store, options, data);
+    add_questionnaires(store, steps, options, data);
     add_attempts(store, study_id, options, usable, protocols, steps, data);
     for (auto& each : db::study_deviations(store, study_id))
         if (usable.contains(each.participant)) data.deviations.push_back(std::move(each));

@@ -41,7 +41,9 @@ void add_study_fields(Form& form, const std::map<int64_t, const db::StepRecord*>
 [[nodiscard]] Form deviations_form(const std::vector<db::Deviation>& deviations,
                                    const DatasetOptions& options);
 /// Adds a form for every version of a questionnaire that was answered in `data.answers`.
-void add_questionnaires(db::Store& store, const DatasetOptions& options, Dataset& data);
+/// @param steps of the study: a questionnaire that several of them ask says of which an answer is.
+void add_questionnaires(db::Store& store, const std::vector<db::StepRecord>& steps,
+                        const DatasetOptions& options, Dataset& data);
 
 /// Identity of a store, from the first entry of its audit trail: the making of the store.
 [[nodiscard]] std::string identity_of(db::Store& store);

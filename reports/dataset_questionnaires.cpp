@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "reports/dataset_forms.h"
 #include "reports/report.h"
@@ -127,9 +128,38 @@ Row answer_row(const curriculum::Questionnaire& questionnaire, const Form& form,
     return row;
 }
 
+/// By set of answers: the step of the protocol that asked for them.
+using StepOfAnswers = std::map<int64_t, std::string>;
+
+/// Questionnaires that were answered at several steps, as before and after a training.
+std::set<std::string> asked_at_several(const Dataset& data, const StepOfAnswers& step_of) {
+    std::map<std::string, std::set<std::string>> asked;
+    for (const db::AnswerRecord& record : data.answers)
+        if (const auto found = step_of.find(record.id); found != step_of.end())
+            asked[record.questionnaire_id].insert(found->second);
+    std::set<std::string> several;
+    for (const auto& [id, at] : asked)
+        if (at.size() > 1) several.insert(id);
+    return several;
+}
+
+/// Puts the step in front of a form's fields: "step", or "study_step" where an item is called so.
+void add_steps(Form& form, const StepOfAnswers& step_of) {
+    const std::string id = form.field("step") == nullptr ? "step" : "study_step";
+    form.fields.insert(form.fields.begin(), text_field(id, "Step of the protocol"));
+    for (Row& row : form.rows)
+        if (const auto found = step_of.find(row.answer_id); found != step_of.end())
+            row.values[id] = found->second;
+}
+
 }  // namespace
 
-void add_questionnaires(db::Store& store, const DatasetOptions& options, Dataset& data) {
+void add_questionnaires(db::Store& store, const std::vector<db::StepRecord>& steps,
+                        const DatasetOptions& options, Dataset& data) {
+    StepOfAnswers step_of;
+    for (const db::StepRecord& step : steps)
+        if (step.answer_id != 0) step_of[step.answer_id] = step.step;
+    const std::set<std::string> several = asked_at_several(data, step_of);
     std::map<std::pair<std::string, int>, std::vector<const db::AnswerRecord*>> groups;
     std::map<std::string, int> versions;
     for (const db::AnswerRecord& record : data.answers) {
@@ -145,6 +175,7 @@ void add_questionnaires(db::Store& store, const DatasetOptions& options, Dataset
         if (versions[key.first] > 1) form.name += "_v" + std::to_string(key.second);
         for (const db::AnswerRecord* record : records)
             form.rows.push_back(answer_row(questionnaire, form, *record));
+        if (several.contains(key.first)) add_steps(form, step_of);
         if (visits > 1) {
             size_t next = 0;  // The rows stand in the order of the records still.
             add_visits(form, visits, [&](const Row&) { return records[next++]->visit; });

@@ -118,6 +118,41 @@ TEST_F(Export, RepeatsNotesAndDeviationsLeaveInEveryFormat) {
         << "what does not count is neither passed nor failed";
 }
 
+TEST_F(Export, AnswersBeforeAndAfterSayOfWhichStepTheyAre) {
+    const auto answer_at = [&](const std::string& step_id, const std::string& value) {
+        db::AnswerRecord record;
+        record.study_id = "s1";
+        record.participant = codes[1];
+        record.questionnaire_id = "kinds";
+        record.answered_utc = "2026-11-21T12:15:00Z";
+        record.answers = {{"by", "1"}, {"B", value}, {"used", "0"}};
+        db::StepRecord step;
+        step.study_id = "s1";
+        step.participant = codes[1];
+        step.step = step_id;
+        step.answer_id = store->studies().save_answers(record);
+        store->studies().record_step(step);
+    };
+    answer_at("before", "2");
+    EXPECT_EQ(source().data.form("kinds")->field("step"), nullptr) << "there is one step only";
+    answer_at("after", "6");
+    const auto made = source();
+    const reports::Form* form = made.data.form("kinds");
+    ASSERT_NE(form->field("step"), nullptr);
+    std::map<std::string, std::string> found;
+    for (const reports::Row& row : form->rows)
+        if (const auto step = row.values.find("step"); step != row.values.end())
+            found[step->second] = row.values.at("B");
+    const std::map<std::string, std::string> expected{{"before", "2"}, {"after", "6"}};
+    EXPECT_EQ(found, expected);
+    for (const auto& format : reports::export_formats())  // Each is read back and compared.
+        EXPECT_FALSE(export_dataset(made, format.name, out(format.name)).empty()) << format.name;
+    std::set<std::string> written;
+    const Rows rows = reports::parse_csv(read_text(out("csv") + "/s1_kinds.csv"));
+    for (size_t r = 1; r < rows.size(); ++r) written.insert(at(rows, r, "step"));
+    EXPECT_EQ(written, (std::set<std::string>{"", "after", "before"}));
+}
+
 TEST_F(Export, AFailedExportLeavesTheFolderAsItWas) {
     auto broken = source();
     for (auto& form : broken.data.forms)  // More than SPSS can hold.
