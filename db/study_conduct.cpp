@@ -294,40 +294,4 @@ void record_attempt_step(Store& store, StepRecord step) {
     store.studies().record_step(step);
 }
 
-std::vector<EntryDifference> entry_differences(Store& store, const std::string& study_id) {
-    std::map<int64_t, SecondEntry> second;
-    for (SecondEntry& entry : store.records().second_entries(study_id))
-        second[entry.answer_id] = std::move(entry);
-    std::vector<EntryDifference> list;
-    for (const AnswerRecord& first : store.studies().answers(study_id)) {
-        const auto found = second.find(first.id);
-        if (found == second.end()) continue;
-        const auto answer = [](const curriculum::Answers& answers, const std::string& item) {
-            const auto there = answers.find(item);
-            return there == answers.end() ? std::string() : there->second;
-        };
-        std::set<std::string> items;
-        for (const auto& [item, unused] : first.answers) items.insert(item);
-        for (const auto& [item, unused] : found->second.answers) items.insert(item);
-        for (const std::string& item : items) {
-            const std::string a = answer(first.answers, item);
-            const std::string b = answer(found->second.answers, item);
-            const auto x = curriculum::answer_number(a), y = curriculum::answer_number(b);
-            if (a == b || (x && y && *x == *y)) continue;
-            list.push_back({first.id, first.participant, first.questionnaire_id, item, a, b,
-                            found->second.entered_by});
-        }
-    }
-    return list;
-}
-
-void decide_difference(Store& store, const EntryDifference& difference, int right,
-                       const std::string& reason) {
-    const int wrong = right == 1 ? 2 : 1;
-    store.records().correct_answers(
-        difference.answer_id, wrong,
-        {{difference.item, right == 1 ? difference.first : difference.second}},
-        "double entry: " + reason);
-}
-
 }  // namespace placode::db

@@ -73,14 +73,16 @@ struct Progress {
 /// An item in which the two entries from paper differ; empty = not answered.
 struct EntryDifference {
     int64_t answer_id = 0;
-    std::string participant, questionnaire_id, item, first, second;
+    std::string study_id, participant, questionnaire_id, item, first, second;
     std::string entered_by;  ///< Who typed the second entry.
 };
+// double_entry.cpp
 /// Over all second entries of a study: what is still to be decided.
 [[nodiscard]] std::vector<EntryDifference> entry_differences(Store& store,
                                                              const std::string& study_id);
-/// Makes the other entry say the same. @param right 1 or 2: which entry says what the paper says.
-/// Throws as StudyRecords::correct_answers().
+/// Makes the other entry say the same, also in every item that one of the entries hides and the
+/// other shows because of this one, or with it. @param right 1 or 2: which entry says what the
+/// paper says. Throws as StudyRecords::correct_answers().
 void decide_difference(Store& store, const EntryDifference& difference, int right,
                        const std::string& reason);
 

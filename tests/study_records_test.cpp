@@ -9,6 +9,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "curriculum/questionnaire.h"
 #include "db/consent_encryption.h"
 #include "db/study_conduct.h"
@@ -162,6 +164,50 @@ TEST_P(StudyRecordsTest, TwoEntriesAreComparedAndTheDifferenceIsDecided) {
     EXPECT_TRUE(db::entry_differences(*store, "pilot").empty());
     EXPECT_EQ(given(), "3");
     EXPECT_EQ(records.corrections("pilot").size(), 3u);
+}
+
+TEST_P(StudyRecordsTest, ADifferenceIsDecidedWithTheQuestionsThatItHides) {
+    const auto about = curriculum::load_questionnaire("demographics");
+    db::AnswerRecord sheet;
+    sheet.study_id = "pilot";
+    sheet.participant = code;
+    sheet.questionnaire_id = about.id;
+    sheet.questionnaire_version = about.version;
+    sheet.answers = {{"age", "40"},
+                     {"gender", "0"},
+                     {"speciality", "5"},
+                     {"operative_years", "3"},
+                     {"speciality_other", "x"},
+                     {"laparoscopic_cases", "1"},
+                     {"fetoscopic_cases", "1"},
+                     {"used_simulator", "0"},
+                     {"interest_vr", "4"},
+                     {"interest_fetoscopic", "4"}};
+    curriculum::Answers typed_again = sheet.answers;
+    typed_again["age"] = "41";
+    typed_again["speciality"] = "3";
+    typed_again.erase("speciality_other");
+    // Whichever of the two rows is decided, and whoever is right.
+    for (const char* row : {"speciality", "speciality_other"}) {
+        for (const int right : {1, 2}) {
+            const int64_t id = db::submit_answers(*store, about, sheet);
+            store->records().save_second_entry({id, typed_again, {}, {}});
+            auto differences = db::entry_differences(*store, "pilot");
+            ASSERT_EQ(differences.size(), 3u);
+            const auto chosen =
+                std::ranges::find(differences, std::string(row), &db::EntryDifference::item);
+            ASSERT_NE(chosen, differences.end());
+            EXPECT_NO_THROW(db::decide_difference(*store, *chosen, right, "looked at the paper"))
+                << row << " " << right;
+            differences = db::entry_differences(*store, "pilot");
+            ASSERT_EQ(differences.size(), 1u) << row << " " << right;
+            EXPECT_EQ(differences[0].item, "age") << "what hangs on nothing is decided by itself";
+            EXPECT_EQ(store->studies().answers("pilot").back().answers["speciality"],
+                      right == 1 ? "5" : "3");
+            db::decide_difference(*store, differences[0], 1, "looked at the paper");
+        }
+    }
+    EXPECT_TRUE(db::entry_differences(*store, "pilot").empty());
 }
 
 TEST_P(StudyRecordsTest, WithAKeyOnlyItsHolderReadsTheSignatures) {
