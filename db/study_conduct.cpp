@@ -124,6 +124,10 @@ std::optional<curriculum::StudyProtocol> protocol_of(Store& store, const std::st
     return published_study(store, study_id, participant_of(store, study_id, code).protocol_version);
 }
 
+bool asked_at(const curriculum::StudyStep& step, int visit) {
+    return visit == 1 || !first_visit_only(step);
+}
+
 void publish_on_first_use(Store& store, const curriculum::Questionnaire& questionnaire) {
     if (questionnaire.json.empty()) return;
     const auto there =
@@ -240,7 +244,7 @@ std::vector<Progress> study_progress(Store& store, const std::string& study_id) 
         if (version > 0 && protocols[version]) {
             for (int visit = 1; visit <= protocols[version]->visits; ++visit) {
                 for (const auto& step : protocols[version]->steps) {
-                    if (visit > 1 && first_visit_only(step)) continue;
+                    if (!asked_at(step, visit)) continue;
                     if (!step.for_arm(participant.arm)) continue;
                     ++progress.total;
                     const std::string key = std::to_string(visit) + "/" + step.id;

@@ -23,6 +23,9 @@ namespace placode::db {
 [[nodiscard]] std::optional<curriculum::StudyProtocol> protocol_of(Store& store,
                                                                    const std::string& study_id,
                                                                    const std::string& code);
+/// Consent and demographics are asked for at the first visit only, everything else at each.
+/// @param visit from 1.
+[[nodiscard]] bool asked_at(const curriculum::StudyStep& step, int visit);
 
 /// Publishes the questionnaire's text where this version is not in the store yet, so that answers
 /// stay readable whatever happens to the file. Throws as Definitions::publish().

@@ -101,6 +101,18 @@ TEST_F(Programs, TheStudyOfThePaperRunsAndLeavesInEveryFormat) {
     const Outcome answered = carl("--json " + answer + sus);
     EXPECT_EQ(answered.status, 0) << answered.err;
     EXPECT_EQ(number_in(answered.out, "sus_score"), 55);
+    const std::string slip =
+        "study correct face_content_validity " + code + " sus sus01=4 --visit 2 --reason slip";
+    EXPECT_EQ(carl(slip).status, 2) << "nothing of a second visit yet";
+    write_text(file("sheets.csv"),
+               "participant,sus01,sus02,sus03,sus04,sus05,sus06,sus07,sus08,"
+               "sus09,sus10\n" +
+                   code + ",5,4,2,1,2,3,2,4,5,2\n");
+    const Outcome taken = carl("study import face_content_validity " + file("sheets.csv") +
+                               " --questionnaire sus --visit 2");
+    EXPECT_EQ(taken.status, 0) << taken.err;
+    const Outcome corrected = carl(slip);
+    EXPECT_EQ(corrected.status, 0) << corrected.err;
     EXPECT_EQ(carl("study step face_content_validity " + code + " nap").status, 2);
     EXPECT_EQ(carl("study step face_content_validity P015-Z briefing").status, 2);
     EXPECT_EQ(carl("study step face_content_validity " + code + " briefing").status, 0);

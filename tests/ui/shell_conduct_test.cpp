@@ -58,6 +58,7 @@ class ShellConductTest : public QObject {
     void withdrawalKeepsStopsOrErases();
     void onlyUsableDataLeave();
     void aParticipantMayRefuseOrStop();
+    void aSheetOfPaperGoesToTheVisitThatIsOpen();
 
  private:
     [[nodiscard]] db::Store& store() { return shell_->owner(); }
@@ -81,6 +82,10 @@ class ShellConductTest : public QObject {
     std::string enrol();
     /// Answers SUS with `point` throughout.
     void usability(int point);
+    /// Chooses `point` in every item of SUS that is on the screen, and submits.
+    void answerSus(int point);
+    /// The data of the study, with that participant chosen.
+    void openData(const std::string& code);
     void withdraw(int row, db::WithdrawalMode mode);
 
     std::unique_ptr<ShellHarness> shell_;
@@ -128,6 +133,12 @@ std::string ShellConductTest::enrol() {
 
 void ShellConductTest::usability(int point) {
     QVERIFY(press("step_questionnaire"));
+    answerSus(point);
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(shell_->arrives(PageId::kStudyRun));
+}
+
+void ShellConductTest::answerSus(int point) {
     QVERIFY(shell_->arrives(PageId::kParticipant));
     for (const auto& item : curriculum::load_questionnaire("sus").items) {
         auto* radio = shell_->find<QRadioButton>(
@@ -137,7 +148,12 @@ void ShellConductTest::usability(int point) {
     }
     QVERIFY(shell_->click("review"));
     QVERIFY(shell_->click("submit_answers"));
-    QVERIFY(shell_->arrives(PageId::kStudyRun));
+}
+
+void ShellConductTest::openData(const std::string& code) {
+    overview();
+    shell_->window().open({PageId::kStudyData, 0, qstr(code), {{"study", kStudy}}});
+    QVERIFY(shell_->arrives(PageId::kStudyData));
 }
 
 void ShellConductTest::aSecondVisitAsksAgainButNotForConsent() {
@@ -293,6 +309,33 @@ void ShellConductTest::aParticipantMayRefuseOrStop() {
     QVERIFY(shell_->find<QPushButton>("stop_taking_part") == nullptr);
     // The participant's wish: the coordinator may still use the data less.
     store().studies().withdraw(kStudy, code, db::WithdrawalMode::kErase, "asked afterwards");
+}
+
+void ShellConductTest::aSheetOfPaperGoesToTheVisitThatIsOpen() {
+    db::AnswerRecord first;
+    first.study_id = kStudy;
+    first.participant = store().studies().new_participant(kStudy);
+    db::record_consent(store(), kStudy, first.participant, "en", {"read", "voluntary", "data"});
+    const auto sus = curriculum::load_questionnaire("sus");
+    first.questionnaire_id = sus.id;
+    first.questionnaire_version = sus.version;
+    for (const auto& item : sus.items) first.answers[item.id] = "2";
+    openData(first.participant);
+    if (QTest::currentTestFailed()) return;
+    QCOMPARE(shell_->find<QComboBox>("entry_visit")->currentData().toInt(), 1);
+    db::submit_answers(store(), sus, first);
+    openData(first.participant);
+    if (QTest::currentTestFailed()) return;
+    QCOMPARE(shell_->find<QComboBox>("entry_visit")->currentData().toInt(), 2);
+    QVERIFY(shell_->fits());
+    QVERIFY(press("enter_first"));
+    answerSus(5);
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(shell_->arrives(PageId::kStudyData));
+    const auto last = store().studies().answers(kStudy).back();
+    QCOMPARE(last.participant, first.participant);
+    QCOMPARE(last.visit, 2);
+    QVERIFY2(progress(first.participant).next.empty(), "both visits are done");
 }
 
 }  // namespace placode::ui

@@ -159,6 +159,7 @@ int study_import(const Context& context, const StudyOptions& options) {
         need_active(session, options.id, record.participant, place);
         record.study_id = options.id;
         record.language = options.language;
+        record.visit = options.visit;
         record.demonstration = is_demonstration(session, options.id, record.participant);
         records.push_back(std::move(record));
     }

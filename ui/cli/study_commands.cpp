@@ -241,6 +241,8 @@ void add_answer_commands(const StudyGroup& group) {
         ->required();
     import_command->add_option("--questionnaire", group.options->questionnaire, "Id or FILE.json")
         ->required();
+    import_command->add_option("--visit", group.options->visit, "Number of the visit of all rows")
+        ->check(CLI::Range(1, 100));
 }
 
 void add_withdraw_command(const StudyGroup& group) {

@@ -61,9 +61,9 @@ class StudyDataPage : public Page {
         connect(table_, &QTableWidget::itemSelectionChanged, procedures,
                 [this, procedures] { procedures->open(selected().toStdString()); });
         procedures->open(selected().toStdString());
-        column->addWidget(make_entry_card(
-            context, *this, study_, answers_, differences_, [this] { return selected(); },
-            [this] { again(); }));
+        column->addWidget(make_entry_card(context, *this,
+                                          {study_, progress_, answers_, differences_}, table_,
+                                          [this] { again(); }));
         column->addWidget(
             make_corrections_card(context, *this, answers_, corrections_, [this] { again(); }));
         column->addWidget(make_names_card(context, *this, study_, codes()));

@@ -7,7 +7,9 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <optional>
 
 #include "db/study_conduct.h"
 #include "ui/shell/parts.h"
@@ -25,15 +27,19 @@ struct EntryWords {
 struct Entry {
     AppContext& context;
     Page& page;
-    std::string study;
-    std::vector<db::AnswerRecord> answers;
-    std::vector<db::EntryDifference> differences;
-    std::function<QString()> selected;
+    EntryData data;
+    QTableWidget* people;
     std::function<void()> again;
+    std::map<int, std::optional<curriculum::StudyProtocol>> protocols{};  ///< By version.
+    QComboBox *forms = nullptr, *visits = nullptr;
     QTableWidget* table = nullptr;  ///< Of the differences.
 
     [[nodiscard]] QStringList questionnaires() const;
-    void enter(const QString& questionnaire, bool second) const;
+    [[nodiscard]] QString selected() const;
+    void makeForms();
+    void makeVisits();
+    [[nodiscard]] int openVisit() const;
+    void enter(bool second) const;
     [[nodiscard]] QTableWidget* make_table_of_differences();
     void decide(int right, const QLineEdit* reason) const;
 };
@@ -41,22 +47,81 @@ struct Entry {
 /// Those of the protocol, and those with answers.
 QStringList Entry::questionnaires() const {
     QStringList ids;
-    if (const auto protocol = db::published_study(context.store(), study))
+    if (const auto protocol = db::published_study(context.store(), data.study))
         for (const auto& step : protocol->steps)
             if (!step.questionnaire.empty()) ids << qstr(step.questionnaire);
-    for (const auto& each : answers) ids << qstr(each.questionnaire_id);
+    for (const auto& each : data.answers) ids << qstr(each.questionnaire_id);
     ids.removeDuplicates();
     return ids;
 }
 
-void Entry::enter(const QString& questionnaire, bool second) const {
-    QVariantMap state{{"questionnaire", questionnaire}, {"study", qstr(study)}, {"paper", !second}};
+QString Entry::selected() const {
+    const int row = people->currentRow();
+    return row < 0 ? QString() : people->item(row, 0)->text();
+}
+
+void Entry::makeForms() {
+    forms = new QComboBox;
+    forms->setObjectName("entry_questionnaire");
+    forms->setAccessibleName(EntryWords::tr("Questionnaire"));
+    for (const QString& id : questionnaires()) forms->addItem(id, id);
+}
+
+/// Where there is one visit, nobody has to think of it.
+void Entry::makeVisits() {
+    int count = 1;
+    for (const db::Progress& each : data.progress) {
+        const int version = each.participant.protocol_version;
+        if (version > 0 && !protocols.contains(version))
+            protocols[version] = db::published_study(context.store(), data.study, version);
+    }
+    for (const auto& [version, protocol] : protocols)
+        if (protocol) count = std::max(count, protocol->visits);
+    for (const auto& each : data.answers) count = std::max(count, each.visit);
+    visits = new QComboBox;
+    visits->setObjectName("entry_visit");
+    visits->setAccessibleName(EntryWords::tr("Visit"));
+    for (int visit = 1; visit <= count; ++visit)
+        visits->addItem(EntryWords::tr("Visit %1").arg(visit), visit);
+    if (count == 1) visits->hide();
+}
+
+/// The first visit in which the participant has not answered the questionnaire yet; else the last
+/// that asks for it.
+int Entry::openVisit() const {
+    const std::string asked = forms->currentData().toString().toStdString();
+    int last = 1;
+    for (const db::Progress& each : data.progress) {
+        const auto found = protocols.find(each.participant.protocol_version);
+        if (qstr(each.participant.code) != selected() || found == protocols.end() || !found->second)
+            continue;
+        for (int visit = 1; visit <= found->second->visits; ++visit) {
+            for (const auto& step : found->second->steps) {
+                if (step.questionnaire != asked || !step.for_arm(each.participant.arm) ||
+                    !db::asked_at(step, visit))
+                    continue;
+                last = visit;
+                const std::string key = std::to_string(visit) + "/" + step.id;
+                if (std::ranges::find(each.finished, key) == each.finished.end()) return visit;
+            }
+        }
+    }
+    return last;
+}
+
+void Entry::enter(bool second) const {
+    const QString questionnaire = forms->currentData().toString();
+    QVariantMap state{{"questionnaire", questionnaire},
+                      {"study", qstr(data.study)},
+                      {"visit", visits->currentData()},
+                      {"paper", !second}};
     if (second) {
-        const auto first = std::find_if(answers.begin(), answers.end(), [&](const auto& each) {
-            return qstr(each.participant) == selected() &&
-                   qstr(each.questionnaire_id) == questionnaire;
-        });
-        if (first == answers.end()) {
+        const auto first =
+            std::find_if(data.answers.begin(), data.answers.end(), [&](const auto& each) {
+                return qstr(each.participant) == selected() &&
+                       qstr(each.questionnaire_id) == questionnaire;
+            });
+        if (first == data.answers.end()) {
             context.report(
                 {EntryWords::tr("There is no first entry."),
                  EntryWords::tr("%1 has no answers to %2; enter the sheet from paper first.")
@@ -77,9 +142,9 @@ QTableWidget* Entry::make_table_of_differences() {
         EntryWords::tr("Differences between entries"));
     table->setObjectName("differences_table");
     table->setSortingEnabled(false);
-    table->setRowCount(static_cast<int>(differences.size()));
+    table->setRowCount(static_cast<int>(data.differences.size()));
     for (int row = 0; row < table->rowCount(); ++row) {
-        const db::EntryDifference& each = differences[static_cast<size_t>(row)];
+        const db::EntryDifference& each = data.differences[static_cast<size_t>(row)];
         int column = 0;
         for (const std::string& text : {each.participant, each.questionnaire_id, each.item,
                                         each.first, each.second, each.entered_by})
@@ -96,21 +161,43 @@ void Entry::decide(int right, const QLineEdit* reason) const {
     if (row < 0) return;
     context.guard(EntryWords::tr("Deciding a difference"), [&] {
         context.require(db::Action::kRunQuestionnaire);
-        db::decide_difference(context.store(), differences[static_cast<size_t>(row)], right,
+        db::decide_difference(context.store(), data.differences[static_cast<size_t>(row)], right,
                               reason->text().trimmed().toStdString());
         again();
     });
 }
 
+QLayout* entry_row(const std::shared_ptr<Entry>& entry) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace8);
+    entry->makeForms();
+    entry->makeVisits();
+    row->addWidget(entry->forms, 1);
+    row->addWidget(entry->visits);
+    QPushButton* first =
+        make_action(entry->context, &entry->page, EntryWords::tr("Enter from paper"), "secondary",
+                    "plus", "enter_first", [entry] { entry->enter(false); });
+    QPushButton* second =
+        make_action(entry->context, &entry->page, EntryWords::tr("Enter a second time"),
+                    "secondary", "again", "enter_second", [entry] { entry->enter(true); });
+    for (QPushButton* button : {first, second}) {
+        button->setEnabled(entry->forms->count() > 0);  // Nobody has answered, no protocol.
+        row->addWidget(button);
+    }
+    const auto propose = [entry] {
+        entry->visits->setCurrentIndex(entry->visits->findData(entry->openVisit()));
+    };
+    QObject::connect(entry->forms, &QComboBox::currentIndexChanged, entry->visits, propose);
+    QObject::connect(entry->people, &QTableWidget::itemSelectionChanged, entry->visits, propose);
+    propose();
+    return row;
+}
+
 }  // namespace
 
-QWidget* make_entry_card(AppContext& context, Page& page, const std::string& study,
-                         const std::vector<db::AnswerRecord>& answers,
-                         const std::vector<db::EntryDifference>& differences,
-                         const std::function<QString()>& selected,
-                         const std::function<void()>& again) {
-    const auto entry =
-        std::make_shared<Entry>(Entry{context, page, study, answers, differences, selected, again});
+QWidget* make_entry_card(AppContext& context, Page& page, const EntryData& data,
+                         QTableWidget* people, const std::function<void()>& again) {
+    const auto entry = std::make_shared<Entry>(Entry{context, page, data, people, again});
     auto* layout = new QVBoxLayout;
     layout->setSpacing(kSpace12);
     layout->addWidget(make_label(EntryWords::tr("Entry from paper"), "heading"));
@@ -118,25 +205,8 @@ QWidget* make_entry_card(AppContext& context, Page& page, const std::string& stu
         EntryWords::tr(
             "Type a sheet twice, best by two people: Placode lists where the entries differ."),
         "muted"));
-    auto* row = new QHBoxLayout;
-    row->setSpacing(kSpace8);
-    auto* forms = new QComboBox;
-    forms->setObjectName("entry_questionnaire");
-    forms->setAccessibleName(EntryWords::tr("Questionnaire"));
-    for (const QString& id : entry->questionnaires()) forms->addItem(id, id);
-    row->addWidget(forms, 1);
-    QPushButton* first = make_action(
-        context, &page, EntryWords::tr("Enter from paper"), "secondary", "plus", "enter_first",
-        [entry, forms] { entry->enter(forms->currentData().toString(), false); });
-    QPushButton* second = make_action(
-        context, &page, EntryWords::tr("Enter a second time"), "secondary", "again", "enter_second",
-        [entry, forms] { entry->enter(forms->currentData().toString(), true); });
-    for (QPushButton* button : {first, second}) {
-        button->setEnabled(forms->count() > 0);  // Nobody has answered, no protocol.
-        row->addWidget(button);
-    }
-    layout->addLayout(row);
-    if (differences.empty()) {
+    layout->addLayout(entry_row(entry));
+    if (data.differences.empty()) {
         layout->addWidget(make_label(EntryWords::tr("There are no open differences."), "small"));
         return make_card(layout);
     }

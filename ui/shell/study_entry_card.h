@@ -7,17 +7,25 @@
 #include <string>
 #include <vector>
 
+#include "db/study_conduct.h"
 #include "db/study_records.h"
 #include "ui/shell/pages.h"
 
+class QTableWidget;
+
 namespace placode::ui {
 
-/// @param selected code of the participant whose sheet is entered.
+/// What the card shows of a study.
+struct EntryData {
+    std::string study;
+    std::vector<db::Progress> progress;
+    std::vector<db::AnswerRecord> answers;
+    std::vector<db::EntryDifference> differences;
+};
+
+/// @param people table of the participants, codes in front: the chosen one's sheet is entered.
 /// @param again is called when a difference was decided.
-[[nodiscard]] QWidget* make_entry_card(AppContext& context, Page& page, const std::string& study,
-                                       const std::vector<db::AnswerRecord>& answers,
-                                       const std::vector<db::EntryDifference>& differences,
-                                       const std::function<QString()>& selected,
-                                       const std::function<void()>& again);
+[[nodiscard]] QWidget* make_entry_card(AppContext& context, Page& page, const EntryData& data,
+                                       QTableWidget* people, const std::function<void()>& again);
 
 }  // namespace placode::ui

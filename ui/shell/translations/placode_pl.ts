@@ -8229,6 +8229,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Kwestionariusz</translation>
     </message>
     <message>
+        <source>Visit</source>
+        <translation>Wizyta</translation>
+    </message>
+    <message>
+        <source>Visit %1</source>
+        <translation>Wizyta %1</translation>
+    </message>
+    <message>
         <source>Enter from paper</source>
         <translation>Wpisz z papieru</translation>
     </message>
