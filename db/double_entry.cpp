@@ -66,7 +66,7 @@ std::vector<EntryDifference> entry_differences(Store& store, const std::string& 
             const auto x = curriculum::answer_number(a), y = curriculum::answer_number(b);
             if (a == b || (x && y && *x == *y)) continue;
             list.push_back({first.id, study_id, first.participant, first.questionnaire_id, item, a,
-                            b, second.entered_by});
+                            b, second.entered_by, first.visit, first.answered_utc});
         }
     }
     return list;

@@ -78,6 +78,8 @@ struct EntryDifference {
     int64_t answer_id = 0;
     std::string study_id, participant, questionnaire_id, item, first, second;
     std::string entered_by;  ///< Who typed the second entry.
+    int visit = 1;           ///< Of the first entry, as the time.
+    std::string answered_utc;
 };
 // double_entry.cpp
 /// Over all second entries of a study: what is still to be decided.

@@ -16,6 +16,7 @@
 #include "curriculum/questionnaire.h"
 #include "curriculum/study.h"
 #include "db/study_conduct.h"
+#include "db/study_records.h"
 #include "export_columns.h"
 #include "shell_harness.h"
 
@@ -59,6 +60,7 @@ class ShellConductTest : public QObject {
     void onlyUsableDataLeave();
     void aParticipantMayRefuseOrStop();
     void aSheetOfPaperGoesToTheVisitThatIsOpen();
+    void aSecondEntryGoesToTheSetThatIsChosen();
 
  private:
     [[nodiscard]] db::Store& store() { return shell_->owner(); }
@@ -336,6 +338,31 @@ void ShellConductTest::aSheetOfPaperGoesToTheVisitThatIsOpen() {
     QCOMPARE(last.participant, first.participant);
     QCOMPARE(last.visit, 2);
     QVERIFY2(progress(first.participant).next.empty(), "both visits are done");
+}
+
+void ShellConductTest::aSecondEntryGoesToTheSetThatIsChosen() {
+    const auto last = store().studies().answers(kStudy).back();  // Of visit 2, after one of 1.
+    openData(last.participant);
+    if (QTest::currentTestFailed()) return;
+    auto* sets = shell_->find<QComboBox>("entry_second_of");
+    QVERIFY(sets != nullptr);
+    QCOMPARE(sets->count(), 2);
+    sets->setCurrentIndex(sets->findData(QVariant::fromValue<qint64>(last.id)));
+    QVERIFY2(sets->currentText().contains("visit 2"), qPrintable(sets->currentText()));
+    QVERIFY(press("enter_second"));
+    answerSus(4);
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(shell_->arrives(PageId::kStudyData));
+    const auto entries = store().records().second_entries(kStudy);
+    QCOMPARE(entries.size(), size_t(1));
+    QCOMPARE(entries[0].answer_id, last.id);
+    auto* differences = shell_->find<QTableWidget>("differences_table");
+    QVERIFY(differences != nullptr);
+    QCOMPARE(differences->item(0, 6)->text(), QString("2"));
+    QVERIFY(shell_->fits());
+    // Two sets of one person are told apart where answers are corrected, too.
+    auto* corrected = shell_->find<QComboBox>("correct_answers_of");
+    QVERIFY(corrected->itemText(corrected->count() - 1).contains("visit 2"));
 }
 
 }  // namespace placode::ui

@@ -122,16 +122,18 @@ int differences(const Context& context, const StudyRecordOptions& options) {
     Session session = coordinator(context);
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{
-        {"code", "questionnaire", "item", "first", "second", "typed by"}};
+        {"code", "questionnaire", "visit", "answered", "item", "first", "second", "typed by"}};
     for (const auto& each : db::entry_differences(session.store(), options.study)) {
         json.push_back({{"participant", each.participant},
                         {"questionnaire", each.questionnaire_id},
+                        {"visit", each.visit},
+                        {"answered_utc", each.answered_utc},
                         {"item", each.item},
                         {"first", each.first},
                         {"second", each.second},
                         {"entered_by", each.entered_by}});
-        rows.push_back({each.participant, each.questionnaire_id, each.item, each.first, each.second,
-                        each.entered_by});
+        rows.push_back({each.participant, each.questionnaire_id, std::to_string(each.visit),
+                        each.answered_utc, each.item, each.first, each.second, each.entered_by});
     }
     print(context, json, rows.size() == 1 ? "no differences" : table(rows));
     return 0;

@@ -57,17 +57,22 @@ QWidget* make_corrections_card(AppContext& context, Page& page,
     auto* sets = new QComboBox;
     sets->setObjectName("correct_answers_of");
     sets->setAccessibleName(CorrectionWords::tr("Answers of"));
+    sets->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    sets->setMinimumContentsLength(36);
     for (const auto& each : answers)
-        sets->addItem(qstr(each.participant + "  " + each.questionnaire_id),
+        sets->addItem(CorrectionWords::tr("%1  %2, visit %3, %4")
+                          .arg(qstr(each.participant), qstr(each.questionnaire_id))
+                          .arg(each.visit)
+                          .arg(format_when(each.answered_utc)),
                       QVariant::fromValue<qint64>(each.id));
     auto* item = make_line("correct_item", CorrectionWords::tr("Item, e.g. A"));
     auto* value =
         make_line("correct_value", CorrectionWords::tr("New answer; empty takes it away"));
     auto* reason = make_line("correct_reason", CorrectionWords::tr("Reason"));
-    grid->addWidget(sets, 0, 0);
-    grid->addWidget(item, 0, 1);
-    grid->addWidget(value, 0, 2);
-    grid->addWidget(reason, 1, 0, 1, 2);
+    grid->addWidget(sets, 0, 0, 1, 3);
+    grid->addWidget(item, 1, 0);
+    grid->addWidget(value, 1, 1, 1, 2);
+    grid->addWidget(reason, 2, 0, 1, 2);
     grid->addWidget(make_action(context, &page, CorrectionWords::tr("Correct"), "secondary",
                                 "check", "correct_answer",
                                 [&context, again, sets, item, value, reason] {
@@ -81,7 +86,7 @@ QWidget* make_corrections_card(AppContext& context, Page& page,
                                         again();
                                     });
                                 }),
-                    1, 2);
+                    2, 2);
     layout->addLayout(grid);
     if (!corrections.empty()) layout->addWidget(corrections_table(corrections));
     return make_card(layout);

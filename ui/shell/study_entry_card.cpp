@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <algorithm>
@@ -31,15 +32,18 @@ struct Entry {
     QTableWidget* people;
     std::function<void()> again;
     std::map<int, std::optional<curriculum::StudyProtocol>> protocols{};  ///< By version.
-    QComboBox *forms = nullptr, *visits = nullptr;
+    QComboBox *forms = nullptr, *visits = nullptr, *sets = nullptr;
     QTableWidget* table = nullptr;  ///< Of the differences.
 
     [[nodiscard]] QStringList questionnaires() const;
     [[nodiscard]] QString selected() const;
     void makeForms();
     void makeVisits();
+    void makeSets();
     [[nodiscard]] int openVisit() const;
-    void enter(bool second) const;
+    void follow() const;
+    void enterFirst() const;
+    void enterSecond() const;
     [[nodiscard]] QTableWidget* make_table_of_differences();
     void decide(int right, const QLineEdit* reason) const;
 };
@@ -109,37 +113,64 @@ int Entry::openVisit() const {
     return last;
 }
 
-void Entry::enter(bool second) const {
-    const QString questionnaire = forms->currentData().toString();
-    QVariantMap state{{"questionnaire", questionnaire},
-                      {"study", qstr(data.study)},
-                      {"visit", visits->currentData()},
-                      {"paper", !second}};
-    if (second) {
-        const auto first =
-            std::find_if(data.answers.begin(), data.answers.end(), [&](const auto& each) {
-                return qstr(each.participant) == selected() &&
-                       qstr(each.questionnaire_id) == questionnaire;
-            });
-        if (first == data.answers.end()) {
-            context.report(
-                {EntryWords::tr("There is no first entry."),
-                 EntryWords::tr("%1 has no answers to %2; enter the sheet from paper first.")
-                     .arg(selected(), questionnaire),
-                 {}});
-            return;
-        }
-        state["second_of"] = QVariant::fromValue<qint64>(first->id);
-        state["version"] = first->questionnaire_version;
+void Entry::makeSets() {
+    sets = new QComboBox;
+    sets->setObjectName("entry_second_of");
+    sets->setAccessibleName(EntryWords::tr("First entry"));
+    sets->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    sets->setMinimumContentsLength(28);
+}
+
+/// What the boxes offer, for the chosen participant and questionnaire.
+void Entry::follow() const {
+    visits->setCurrentIndex(visits->findData(openVisit()));
+    sets->clear();
+    for (const db::AnswerRecord& each : data.answers)
+        if (qstr(each.participant) == selected() &&
+            qstr(each.questionnaire_id) == forms->currentData().toString())
+            sets->addItem(EntryWords::tr("%1, visit %2, %3")
+                              .arg(selected())
+                              .arg(each.visit)
+                              .arg(format_when(each.answered_utc)),
+                          QVariant::fromValue<qint64>(each.id));
+}
+
+void Entry::enterFirst() const {
+    Q_EMIT page.go({PageId::kParticipant,
+                    0,
+                    selected(),
+                    {{"questionnaire", forms->currentData()},
+                     {"study", qstr(data.study)},
+                     {"visit", visits->currentData()},
+                     {"paper", true}}});
+}
+
+void Entry::enterSecond() const {
+    const qint64 id = sets->currentData().toLongLong();
+    const auto first = std::ranges::find(data.answers, id, &db::AnswerRecord::id);
+    if (first == data.answers.end()) {
+        context.report({EntryWords::tr("There is no first entry."),
+                        EntryWords::tr("%1 has no answers to %2; enter the sheet from paper first.")
+                            .arg(selected(), forms->currentData().toString()),
+                        {}});
+        return;
     }
-    Q_EMIT page.go({PageId::kParticipant, 0, selected(), state});
+    Q_EMIT page.go({PageId::kParticipant,
+                    0,
+                    qstr(first->participant),
+                    {{"questionnaire", qstr(first->questionnaire_id)},
+                     {"study", qstr(data.study)},
+                     {"visit", first->visit},
+                     {"version", first->questionnaire_version},
+                     {"second_of", id}}});
 }
 
 QTableWidget* Entry::make_table_of_differences() {
-    table = make_table(
-        {EntryWords::tr("Code"), EntryWords::tr("Questionnaire"), EntryWords::tr("Item"),
-         EntryWords::tr("First entry"), EntryWords::tr("Second entry"), EntryWords::tr("Typed by")},
-        EntryWords::tr("Differences between entries"));
+    table =
+        make_table({EntryWords::tr("Code"), EntryWords::tr("Questionnaire"), EntryWords::tr("Item"),
+                    EntryWords::tr("First entry"), EntryWords::tr("Second entry"),
+                    EntryWords::tr("Typed by"), EntryWords::tr("Visit"), EntryWords::tr("When")},
+                   EntryWords::tr("Differences between entries"));
     table->setObjectName("differences_table");
     table->setSortingEnabled(false);
     table->setRowCount(static_cast<int>(data.differences.size()));
@@ -149,6 +180,8 @@ QTableWidget* Entry::make_table_of_differences() {
         for (const std::string& text : {each.participant, each.questionnaire_id, each.item,
                                         each.first, each.second, each.entered_by})
             table->setItem(row, column++, make_cell(text.empty() ? "–" : qstr(text)));
+        table->setItem(row, column++, make_number_cell(QString::number(each.visit), each.visit));
+        table->setItem(row, column, make_cell(format_when(each.answered_utc)));
     }
     fit_columns(table, 2);
     table->setMinimumHeight(std::min(6, table->rowCount() + 1) * kTouchTarget + 10);
@@ -167,30 +200,32 @@ void Entry::decide(int right, const QLineEdit* reason) const {
     });
 }
 
-QLayout* entry_row(const std::shared_ptr<Entry>& entry) {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(kSpace8);
+QLayout* entry_grid(const std::shared_ptr<Entry>& entry) {
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(kSpace8);
+    grid->setVerticalSpacing(kSpace8);
+    grid->setColumnStretch(0, 1);
     entry->makeForms();
     entry->makeVisits();
-    row->addWidget(entry->forms, 1);
-    row->addWidget(entry->visits);
+    entry->makeSets();
+    grid->addWidget(entry->forms, 0, 0);
+    grid->addWidget(entry->visits, 0, 1);
+    grid->addWidget(entry->sets, 1, 0, 1, 2);
     QPushButton* first =
         make_action(entry->context, &entry->page, EntryWords::tr("Enter from paper"), "secondary",
-                    "plus", "enter_first", [entry] { entry->enter(false); });
+                    "plus", "enter_first", [entry] { entry->enterFirst(); });
     QPushButton* second =
         make_action(entry->context, &entry->page, EntryWords::tr("Enter a second time"),
-                    "secondary", "again", "enter_second", [entry] { entry->enter(true); });
+                    "secondary", "again", "enter_second", [entry] { entry->enterSecond(); });
     for (QPushButton* button : {first, second}) {
         button->setEnabled(entry->forms->count() > 0);  // Nobody has answered, no protocol.
-        row->addWidget(button);
+        grid->addWidget(button, button == first ? 0 : 1, 2);
     }
-    const auto propose = [entry] {
-        entry->visits->setCurrentIndex(entry->visits->findData(entry->openVisit()));
-    };
-    QObject::connect(entry->forms, &QComboBox::currentIndexChanged, entry->visits, propose);
-    QObject::connect(entry->people, &QTableWidget::itemSelectionChanged, entry->visits, propose);
-    propose();
-    return row;
+    const auto follow = [entry] { entry->follow(); };
+    QObject::connect(entry->forms, &QComboBox::currentIndexChanged, entry->sets, follow);
+    QObject::connect(entry->people, &QTableWidget::itemSelectionChanged, entry->sets, follow);
+    follow();
+    return grid;
 }
 
 }  // namespace
@@ -205,7 +240,7 @@ QWidget* make_entry_card(AppContext& context, Page& page, const EntryData& data,
         EntryWords::tr(
             "Type a sheet twice, best by two people: Placode lists where the entries differ."),
         "muted"));
-    layout->addLayout(entry_row(entry));
+    layout->addLayout(entry_grid(entry));
     if (data.differences.empty()) {
         layout->addWidget(make_label(EntryWords::tr("There are no open differences."), "small"));
         return make_card(layout);

@@ -8237,6 +8237,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Wizyta %1</translation>
     </message>
     <message>
+        <source>%1, visit %2, %3</source>
+        <translation>%1, wizyta %2, %3</translation>
+    </message>
+    <message>
+        <source>%1  %2, visit %3, %4</source>
+        <translation>%1  %2, wizyta %3, %4</translation>
+    </message>
+    <message>
         <source>Enter from paper</source>
         <translation>Wpisz z papieru</translation>
     </message>
