@@ -129,25 +129,26 @@ CertificateVerdict judge(const HapticCertificate& c, const CertificateLimits& li
     CertificateVerdict verdict;
     if (!c.force || c.lock_step) return verdict;
     const auto bad = [&](Said what) { verdict.reasons.push_back(std::move(what)); };
-    const auto check_share = [&](const Said& what, uint64_t ticks, double limit) {
-        const double found = share(ticks, c.ticks);
+    const auto check_share = [&](const Said& what, double found, double limit) {
         if (found > limit) bad(what.with(percent(found)).with(percent(limit)));
     };
     if (c.duration_s < limits.shortest_s || c.ticks == 0)
         bad(Said::that("the haptic loop ran for %1 s only")
                 .with(sim::rounded_text(c.duration_s, 3)));
-    check_share(Said::that("late in %1 of the ticks (at most %2)"), c.late, limits.late_share);
+    // A tick that never came is as late as one can be: one long gap counts by its length.
+    check_share(Said::that("late in %1 of the ticks (at most %2)"),
+                share(c.late + c.missed, c.ticks + c.missed), limits.late_share);
     const double minutes = std::max(c.duration_s / 60, 1.0);
     if (static_cast<double>(c.gaps) > limits.gaps_per_minute * minutes)
         bad(Said::that("%1 drop-outs of more than 5 ms (at most %2 a minute)")
                 .with(std::to_string(c.gaps))
                 .with(sim::rounded_text(limits.gaps_per_minute, 3)));
-    check_share(Said::that("tool state older than 10 ms in %1 of the ticks (at most %2)"), c.stale,
-                limits.stale_share);
-    check_share(Said::that("force at its ceiling in %1 of the ticks (at most %2)"), c.saturated,
-                limits.saturated_share);
-    check_share(Said::that("force lowered by motor heat in %1 of the ticks (at most %2)"), c.hot,
-                limits.hot_share);
+    check_share(Said::that("tool state older than 10 ms in %1 of the ticks (at most %2)"),
+                share(c.stale, c.ticks), limits.stale_share);
+    check_share(Said::that("force at its ceiling in %1 of the ticks (at most %2)"),
+                share(c.saturated, c.ticks), limits.saturated_share);
+    check_share(Said::that("force lowered by motor heat in %1 of the ticks (at most %2)"),
+                share(c.hot, c.ticks), limits.hot_share);
     if (c.faults > limits.faults) bad(faults_of(c, limits));
     if (!(c.least_energy_j >= limits.least_energy_j))
         bad(Said::that("the haptic port gave %1 mJ more than it took (at most %2 mJ)")

@@ -48,7 +48,7 @@ struct HapticCertificate {
 /// a hand would have felt what does not (reference measurements: 99.9 % of the cycles within 1.1
 /// ms and none above 5 ms on bare metal; a tenth of that quality is still not felt).
 struct CertificateLimits {
-    double late_share = 0.01;  ///< Of the ticks.
+    double late_share = 0.01;  ///< Of the ticks, with those that were missed.
     double gaps_per_minute = 1;
     double stale_share = 0.01;
     double saturated_share = 0.05;

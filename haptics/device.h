@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/real_time.h"
 #include "haptics/station.h"
 #include "haptics/window_input.h"
 #include "sim/core/exchange.h"
@@ -142,6 +143,8 @@ class DeviceGroup {
     /// answers false when the session is over. Any other group says false.
     using ServoTick = bool (*)(void* context, int64_t t_ns) noexcept;
     [[nodiscard]] virtual bool start(ServoTick, void* /*context*/) { return false; }
+    /// The clock of the times that its ticks carry [ns]. Any thread.
+    [[nodiscard]] virtual int64_t now_ns() const noexcept { return monotonic_ns(); }
     /// The last error that the device or its library reported, code and words; empty: none yet.
     /// Any thread.
     [[nodiscard]] virtual std::string last_error() const { return {}; }

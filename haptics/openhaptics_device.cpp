@@ -63,6 +63,7 @@ class OpenHapticsDevice final : public ArmHands {
         disable_all();
     }
 
+    [[nodiscard]] int64_t now_ns() const noexcept override { return clock_ns_(); }
     [[nodiscard]] std::string last_error() const override {
         const unsigned code = last_error_.load(std::memory_order_relaxed);
         return code != kSuccess ? error_words(code) : "";

@@ -46,12 +46,27 @@ void Servo::Impl::note(size_t i, const CouplingResult& result,
     if (rms > counters.rms_n.load(relaxed)) counters.rms_n.store(rms, relaxed);
 }
 
+// A fault that began in a pause counts when it outlasts it: the hand is dead in the attempt, too.
+void Servo::Impl::note_doubt(size_t i, const CouplingResult& result) noexcept {
+    bool& doubted = hands[i].doubted;
+    // In its inkwell a sound arm may be whenever it likes.
+    const bool away = !states[i].engaged && states[i].status == DeviceStatus::kReady;
+    if (result.trusted || away) doubted = false;
+    if (paused.load(std::memory_order_relaxed)) {
+        doubted = doubted || result.fault;
+        return;
+    }
+    count(counters.faults, doubted);
+    doubted = false;
+}
+
 void Servo::Impl::tick_hand(size_t i, int64_t t_ns, sim::ToolInput& input,
                             const sim::ToolFeedback& feedback) noexcept {
     HandLoop& hand = hands[i];
     const DeviceState& state = states[i];
     const sim::Pose tip = hand.trocar.tip_pose(state);
     const CouplingResult result = hand.coupling.tick(t_ns, state, tip.p, feedback, hand.trocar);
+    note_doubt(i, result);
     if (!paused.load(std::memory_order_relaxed)) note(i, result, feedback);
     if (result.trusted) {
         hand.held.set_pose(tip);
@@ -79,6 +94,10 @@ void Servo::Impl::note_time(int64_t now_ns) noexcept {
         counters.periods.add(period);
         count(counters.late, period > kLateNs);
         count(counters.gaps, period > kGapNs);
+        // Our own schedule counts what it skips; another one shows it by its gaps only.
+        if (own_scheduler.load(relaxed) && period > kLateNs)
+            count(counters.missed, true,
+                  static_cast<uint64_t>((period + kPeriodNs / 2) / kPeriodNs - 1));
     } else {
         counters.first_ns.store(now_ns, relaxed);
     }
@@ -188,6 +207,7 @@ void Servo::stop() noexcept {
     Impl& impl = *impl_;
     if (impl.stopped) return;
     impl.stopped = true;
+    const int64_t asked_ns = impl.devices->now_ns();
     impl.releasing = true;
     if (impl.thread.joinable()) impl.thread.join();
     // A scheduler that died takes no ramp: after a fifth of a second the device is stopped anyway.
@@ -199,6 +219,10 @@ void Servo::stop() noexcept {
         impl.devices->write(impl.commands);
     }
     impl.devices->stop();
+    // It died without a word: the account goes on to the end all the same.
+    if (impl.own_scheduler && !impl.released && impl.counters.ticks > 0 &&
+        asked_ns - impl.counters.last_ns > kGapNs)
+        impl.note_time(asked_ns);
     if (impl.locked) unlock_memory();
 }
 

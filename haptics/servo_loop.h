@@ -34,6 +34,7 @@ struct Servo::Impl {
         sim::ToolInput held;     // Last trusted input.
         double tool_time_s = 0;  // Of the last tool state, to count distinct ones.
         bool force = false;      // The device of this hand has motors.
+        bool doubted = false;    // A fault began in a pause and is not counted yet.
     };
 
     std::unique_ptr<DeviceGroup> devices;
@@ -58,6 +59,7 @@ struct Servo::Impl {
     void tick_hand(size_t i, int64_t t_ns, sim::ToolInput& input,
                    const sim::ToolFeedback& feedback) noexcept;
     void note(size_t i, const CouplingResult& result, const sim::ToolFeedback& feedback) noexcept;
+    void note_doubt(size_t i, const CouplingResult& result) noexcept;
     void note_time(int64_t now_ns) noexcept;
     void step_release() noexcept;
     bool tick_all(int64_t now_ns) noexcept;

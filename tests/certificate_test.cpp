@@ -63,6 +63,12 @@ TEST(Certificate, NamesEveryReasonWithNumberAndLimit) {
         EXPECT_THAT(verdict.reasons[0].english(), HasSubstr(words));
     };
     one(with([](auto& c) { c.late = 12'000; }), "late in 2 % of the ticks (at most 1 %)");
+    one(with([](auto& c) {  // one gap, but of twenty seconds
+            c.ticks = 580'000;
+            c.missed = 20'000;
+            c.late = c.gaps = 1;
+        }),
+        "late in 3.33 % of the ticks (at most 1 %)");
     one(with([](auto& c) { c.gaps = 11; }), "11 drop-outs");
     one(with([](auto& c) { c.stale = 6'600; }), "older than 10 ms in 1.1 %");
     one(with([](auto& c) { c.saturated = 60'000; }), "force at its ceiling in 10 %");

@@ -51,6 +51,64 @@ class TestDevice final : public DeviceGroup {
 
 constexpr int64_t kMs = 1'000'000;
 
+// An arm with a scheduler of its own, whose ticks and clock are the test's.
+class ScheduledDevice final : public DeviceGroup {
+ public:
+    [[nodiscard]] std::vector<DeviceInfo> info() const override {
+        DeviceInfo info;
+        info.dof_force = 3;
+        info.owns_servo = true;
+        return {info};
+    }
+    void read(int64_t t_ns, std::span<DeviceState> states) noexcept override {
+        for (auto& state : states) {
+            state = {};
+            state.t_ns = t_ns;
+        }
+    }
+    void write(std::span<const DeviceCommand>) noexcept override {}
+    [[nodiscard]] bool start(ServoTick tick, void* context) override {
+        tick_ = tick;
+        context_ = context;
+        return true;
+    }
+    [[nodiscard]] int64_t now_ns() const noexcept override { return clock_ns; }
+    void tick() noexcept {
+        clock_ns += kMs;
+        (void)tick_(context_, clock_ns);
+    }
+
+    int64_t clock_ns = kMs;
+
+ private:
+    ServoTick tick_ = nullptr;
+    void* context_ = nullptr;
+};
+
+struct ScheduledBench {
+    ScheduledBench() : servo(take(), tools, std::vector(1, TrocarSettings{}), {}) { servo.start(); }
+    std::unique_ptr<DeviceGroup> take() {
+        auto made = std::make_unique<ScheduledDevice>();
+        device = made.get();
+        return made;
+    }
+    void tick(int n) {
+        for (int i = 0; i < n; ++i) {
+            auto& out = servo.exchange().feedback.back();
+            out[0].proxy.p = TrocarSettings{}.home_tip_m;
+            out[0].time_s = time_s += 1e-3;
+            servo.exchange().feedback.publish();
+            device->tick();
+        }
+    }
+    [[nodiscard]] CertificateGrade grade() const { return judge(servo.certificate()).grade; }
+
+    ScheduledDevice* device = nullptr;  // the servo's
+    std::vector<sim::ToolSpec> tools{sim::ToolSpec{}};
+    Servo servo;
+    double time_s = 0;
+};
+
 struct Bench {
     explicit Bench(bool lock_step = true)
         : servo(std::make_unique<TestDevice>(script, lock_step), tools, trocars(), {}) {
@@ -212,6 +270,56 @@ TEST(Servo, DoesNotCountAPauseAgainstTheCertificate) {
     bench.servo.set_paused(false);
     bench.servo.tick(bench.t_ns += kMs, bench.inputs, bench.feedback);
     EXPECT_EQ(bench.servo.certificate().stale, 1u);
+}
+
+TEST(Servo, CountsADoubtThatOutlastsItsPause) {
+    Bench bench;
+    const auto faults = [&] { return bench.servo.certificate().faults; };
+    for (int i = 0; i < 100; ++i) bench.tick();
+    bench.servo.set_paused(true);
+    bench.script.state.status = DeviceStatus::kLost;
+    bench.tick();
+    bench.script.state.status = DeviceStatus::kReady;
+    for (int i = 0; i < 200; ++i) bench.tick();
+    bench.servo.set_paused(false);
+    bench.tick();
+    EXPECT_EQ(faults(), 0u) << "back before the pause was over";
+    bench.servo.set_paused(true);
+    bench.script.state.status = DeviceStatus::kLost;
+    bench.tick();
+    EXPECT_EQ(faults(), 0u);
+    bench.servo.set_paused(false);
+    bench.tick();
+    bench.tick();
+    EXPECT_EQ(faults(), 1u) << "once";
+}
+
+TEST(Servo, AccountsForASchedulerThatDiedWithoutAWord) {
+    ScheduledBench bench;
+    bench.tick(2000);
+    ASSERT_EQ(bench.grade(), CertificateGrade::kSound);
+    bench.device->clock_ns += 10 * kMs;
+    bench.tick(1);
+    EXPECT_EQ(bench.servo.certificate().missed, 10u);
+    EXPECT_EQ(bench.grade(), CertificateGrade::kSound) << "one hiccup";
+    bench.device->clock_ns += 3000 * kMs;
+    bench.servo.stop();
+    const HapticCertificate certificate = bench.servo.certificate();
+    EXPECT_EQ(certificate.missed, 3009u);
+    EXPECT_EQ(certificate.gaps, 2u);
+    EXPECT_NEAR(certificate.duration_s, 5.010, 1e-9);
+    EXPECT_EQ(bench.grade(), CertificateGrade::kBad);
+}
+
+TEST(Servo, HoldsTheTimeAfterItsReleaseAgainstNoScheduler) {
+    ScheduledBench bench;
+    bench.tick(2000);
+    bench.servo.release();
+    bench.tick(60);
+    bench.device->clock_ns += 3000 * kMs;  // the attempt's last frame takes long
+    bench.servo.stop();
+    EXPECT_EQ(bench.servo.certificate().missed, 0u);
+    EXPECT_EQ(bench.grade(), CertificateGrade::kSound);
 }
 
 TEST(Servo, GivesTheSameBitsForTheSameHand) {

@@ -49,6 +49,7 @@ class WatchedGroup final : public DeviceGroup {
         return inner_->start(tick, context);
     }
     [[nodiscard]] bool lock_step() const noexcept override { return inner_->lock_step(); }
+    [[nodiscard]] int64_t now_ns() const noexcept override { return inner_->now_ns(); }
     [[nodiscard]] std::string last_error() const override { return inner_->last_error(); }
     void stop() noexcept override { inner_->stop(); }
     void ask() noexcept { ask_.store(true, std::memory_order_relaxed); }
