@@ -46,13 +46,14 @@ void Servo::Impl::note(size_t i, const CouplingResult& result,
     if (rms > counters.rms_n.load(relaxed)) counters.rms_n.store(rms, relaxed);
 }
 
-// A fault that began in a pause counts when it outlasts it: the hand is dead in the attempt, too.
-void Servo::Impl::note_doubt(size_t i, const CouplingResult& result) noexcept {
+// A fault that began in a pause, or before the clock, counts when it outlasts it: the hand is dead
+// in the attempt, too.
+void Servo::Impl::note_doubt(size_t i, const CouplingResult& result, bool counted) noexcept {
     bool& doubted = hands[i].doubted;
     // In its inkwell a sound arm may be whenever it likes.
     const bool away = !states[i].engaged && states[i].status == DeviceStatus::kReady;
     if (result.trusted || away) doubted = false;
-    if (paused.load(std::memory_order_relaxed)) {
+    if (!counted) {
         doubted = doubted || result.fault;
         return;
     }
@@ -66,8 +67,11 @@ void Servo::Impl::tick_hand(size_t i, int64_t t_ns, sim::ToolInput& input,
     const DeviceState& state = states[i];
     const sim::Pose tip = hand.trocar.tip_pose(state);
     const CouplingResult result = hand.coupling.tick(t_ns, state, tip.p, feedback, hand.trocar);
-    note_doubt(i, result);
-    if (!paused.load(std::memory_order_relaxed)) note(i, result, feedback);
+    // Before the first frame a hand may be calibrated and taken up in peace.
+    begun = begun || feedback.time_s > 0;
+    const bool counted = begun && !paused.load(std::memory_order_relaxed);
+    note_doubt(i, result, counted);
+    if (counted) note(i, result, feedback);
     if (result.trusted) {
         hand.held.set_pose(tip);
         hand.held.jaw_rad = static_cast<float>(state.jaw_rad);
@@ -92,10 +96,10 @@ void Servo::Impl::note_time(int64_t now_ns) noexcept {
     if (previous_ns != 0) {
         const int64_t period = now_ns - previous_ns;
         counters.periods.add(period);
-        count(counters.late, period > kLateNs);
-        count(counters.gaps, period > kGapNs);
+        count(counters.late, begun && period > kLateNs);
+        count(counters.gaps, begun && period > kGapNs);
         // Our own schedule counts what it skips; another one shows it by its gaps only.
-        if (own_scheduler.load(relaxed) && period > kLateNs)
+        if (begun && own_scheduler.load(relaxed) && period > kLateNs)
             count(counters.missed, true,
                   static_cast<uint64_t>((period + kPeriodNs / 2) / kPeriodNs - 1));
     } else {
@@ -141,7 +145,7 @@ void Servo::Impl::run() noexcept {
         sleep_until(schedule.next_ns());
         if (!tick_all(monotonic_ns())) break;
         const uint64_t missed = schedule.advance(monotonic_ns());
-        count(counters.missed, missed > 0, missed);
+        count(counters.missed, begun && missed > 0, missed);
     }
 }
 

@@ -47,7 +47,8 @@ class Servo {
     [[nodiscard]] Exchange& exchange() noexcept;
     [[nodiscard]] DeviceGroup& devices() noexcept;
     [[nodiscard]] ServoHealth health() const;
-    /// What the loop has done so far. Any thread but the servo's.
+    /// What the loop has done so far; nothing counts against it before the first tool state. Any
+    /// thread but the servo's.
     [[nodiscard]] HapticCertificate certificate() const;
     /// The window closes or the attempt ends: force down to zero within 50 ms, and it stays so. Any
     /// thread.

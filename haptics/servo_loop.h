@@ -34,7 +34,7 @@ struct Servo::Impl {
         sim::ToolInput held;     // Last trusted input.
         double tool_time_s = 0;  // Of the last tool state, to count distinct ones.
         bool force = false;      // The device of this hand has motors.
-        bool doubted = false;    // A fault began in a pause and is not counted yet.
+        bool doubted = false;    // A fault began while none counts, and may outlast that.
     };
 
     std::unique_ptr<DeviceGroup> devices;
@@ -47,6 +47,7 @@ struct Servo::Impl {
     std::array<sim::ToolInput, sim::kMaxTools> inputs{};
     int64_t previous_ns = 0;
     int release_ticks = -1;
+    bool begun = false;  // A tool state was seen: the attempt's clock runs.
     // Crosses threads.
     Exchange exchange;
     Counters counters;
@@ -59,7 +60,7 @@ struct Servo::Impl {
     void tick_hand(size_t i, int64_t t_ns, sim::ToolInput& input,
                    const sim::ToolFeedback& feedback) noexcept;
     void note(size_t i, const CouplingResult& result, const sim::ToolFeedback& feedback) noexcept;
-    void note_doubt(size_t i, const CouplingResult& result) noexcept;
+    void note_doubt(size_t i, const CouplingResult& result, bool counted) noexcept;
     void note_time(int64_t now_ns) noexcept;
     void step_release() noexcept;
     bool tick_all(int64_t now_ns) noexcept;

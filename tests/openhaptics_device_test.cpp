@@ -76,7 +76,7 @@ struct Session {
             auto& out = servo->exchange().feedback.back();
             for (size_t k = 0; k < 2; ++k) {
                 out[k] = tools[k];
-                out[k].time_s = time_s;
+                out[k].time_s = waiting ? 0 : time_s;
             }
             servo->exchange().feedback.publish();
             g_now_ns += 1'000'000;
@@ -103,6 +103,7 @@ struct Session {
     std::array<Vec3, 2> home;
     std::array<sim::ToolFeedback, 2> tools;
     double time_s = 0;
+    bool waiting = false;  // for the first motion: nothing is simulated yet
 };
 
 TEST(OpenHaptics, SaysWhyTheLibraryCannotBeLoaded) {
@@ -284,6 +285,23 @@ TEST(OpenHaptics, GivesForceOnlyAfterCalibrationAndOutOfTheInkwell) {
     session.tick();
     EXPECT_EQ(Session::force(0), Vec3::Zero()) << "put back";
     EXPECT_STREQ(hd().violation(), "");
+}
+
+TEST(OpenHaptics, CountsNoFaultOfAnArmThatIsCalibratedBeforeTheFirstMotion) {
+    Session session;
+    hd().set_calibration(0, 0x5001);
+    hd().set_inkwell(0, 1);
+    session.begin(config());
+    session.waiting = true;
+    session.tick(110);
+    hd().set_inkwell(0, 0);
+    session.tick(150);
+    session.waiting = false;
+    EXPECT_TRUE(session.push(0, 0));
+    EXPECT_EQ(session.servo->certificate().faults, 0u);
+    hd().set_joints(0, 0, 0, 0);
+    session.tick(101);
+    EXPECT_EQ(session.servo->certificate().faults, 1u) << "in the attempt it counts";
 }
 
 TEST(OpenHaptics, DistrustsAnArmWhoseJointsStandAtZero) {

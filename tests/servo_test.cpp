@@ -63,6 +63,7 @@ class ScheduledDevice final : public DeviceGroup {
     void read(int64_t t_ns, std::span<DeviceState> states) noexcept override {
         for (auto& state : states) {
             state = {};
+            state.status = status;
             state.t_ns = t_ns;
         }
     }
@@ -79,6 +80,7 @@ class ScheduledDevice final : public DeviceGroup {
     }
 
     int64_t clock_ns = kMs;
+    DeviceStatus status = DeviceStatus::kReady;
 
  private:
     ServoTick tick_ = nullptr;
@@ -91,6 +93,9 @@ struct ScheduledBench {
         auto made = std::make_unique<ScheduledDevice>();
         device = made.get();
         return made;
+    }
+    void wait(int n) {  // for the first motion
+        for (int i = 0; i < n; ++i) device->tick();
     }
     void tick(int n) {
         for (int i = 0; i < n; ++i) {
@@ -292,6 +297,26 @@ TEST(Servo, CountsADoubtThatOutlastsItsPause) {
     bench.tick();
     bench.tick();
     EXPECT_EQ(faults(), 1u) << "once";
+}
+
+TEST(Servo, CountsNothingBeforeTheFirstFrame) {
+    ScheduledBench bench;
+    bench.device->status = DeviceStatus::kNotCalibrated;
+    bench.wait(100);
+    bench.device->clock_ns += 50 * kMs;
+    bench.wait(1);
+    bench.device->status = DeviceStatus::kReady;
+    bench.wait(200);
+    bench.tick(2000);
+    const HapticCertificate certificate = bench.servo.certificate();
+    EXPECT_EQ(certificate.faults, 0u);
+    EXPECT_EQ(certificate.late, 0u);
+    EXPECT_EQ(certificate.gaps, 0u);
+    EXPECT_EQ(certificate.missed, 0u);
+    EXPECT_EQ(bench.grade(), CertificateGrade::kSound);
+    bench.device->status = DeviceStatus::kNotCalibrated;
+    bench.tick(1);
+    EXPECT_EQ(bench.servo.certificate().faults, 1u) << "from then on it does";
 }
 
 TEST(Servo, AccountsForASchedulerThatDiedWithoutAWord) {
