@@ -130,10 +130,12 @@ class OpenHapticsDevice final : public ArmHands {
         for (Arm& arm : arms_) apply_faults(arm);
         if (!tick_(context_, clock_ns_())) over_.store(true, std::memory_order_relaxed);
         const int64_t now = clock_ns_();
+        const bool over = any_lost();  // one lost arm ends the session of both
         for (Arm& arm : arms_) {
             hd_.make_current(arm.handle);
-            const bool allowed = arm.forces_on && arm.sample.status == DeviceStatus::kReady &&
-                                 arm.sample.held && now <= arm.force.valid_until_ns;
+            const bool allowed = !over && arm.forces_on &&
+                                 arm.sample.status == DeviceStatus::kReady && arm.sample.held &&
+                                 now <= arm.force.valid_until_ns;
             const Vec3 force = allowed ? arm.force.force_n : Vec3(Vec3::Zero());
             hd_.set_doublev(kForce, force.data());
             hd_.end_frame(arm.handle);
@@ -143,8 +145,22 @@ class OpenHapticsDevice final : public ArmHands {
         // The last tick of this session tells the servo that the hands are gone.
         for (Arm& arm : arms_) arm.sample.status = DeviceStatus::kLost;
         if (!tick_(context_, clock_ns_())) over_.store(true, std::memory_order_relaxed);
+        for (Arm& arm : arms_) let_go(arm);
         lost_.store(true, std::memory_order_release);
         return kCallbackDone;
+    }
+
+    // No frame follows in this session, and the motors would keep what they were given last. Where
+    // the library takes one frame a tick only, the output is off all the same.
+    void let_go(Arm& arm) noexcept {
+        if (arm.handle == kNoHandle) return;
+        const Vec3 none = Vec3::Zero();
+        hd_.begin_frame(arm.handle);
+        hd_.make_current(arm.handle);
+        hd_.set_doublev(kForce, none.data());
+        hd_.disable(kForceOutput);
+        hd_.end_frame(arm.handle);
+        arm.forces_on = false;
     }
 
     // Empties the error stack. An error that names no arm of ours concerns both.

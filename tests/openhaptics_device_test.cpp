@@ -369,6 +369,21 @@ TEST(OpenHaptics, KeepsTheOtherArmWhenOneHasWarmMotors) {
     EXPECT_GT(Session::force(1).norm(), 0.05);
 }
 
+// The watcher comes half a second later: nothing may stay on the motors until then.
+TEST(OpenHaptics, TakesTheForceFromBothArmsWhenOneEndsTheSession) {
+    Session session;
+    session.begin(config(true));
+    session.tools[1].proxy.p = session.home[1] + Vec3(0, 0, 0.0015);
+    ASSERT_TRUE(session.push(0, 0));
+    ASSERT_GT(Session::force(1).norm(), 0.05);
+    hd().plug(0, 0);
+    session.tick(2);
+    EXPECT_EQ(Session::force(1), Vec3::Zero());
+    EXPECT_EQ(hd().output_enabled(1), 0);
+    EXPECT_EQ(hd().scheduled(), 0);
+    EXPECT_STREQ(hd().violation(), "");
+}
+
 TEST(OpenHaptics, FailsSafelyWhenAReadFails) {
     Session session;
     session.begin(config());
