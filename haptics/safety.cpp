@@ -11,14 +11,16 @@ constexpr double kOfDeviceForce = 0.91;  // 3.0 N of the 3.3 N of a Touch.
 
 }  // namespace
 
-CouplingSettings limited_to(CouplingSettings settings, const DeviceInfo& device) noexcept {
+CouplingSettings limited_to(CouplingSettings settings, const DeviceInfo& device,
+                            double scale) noexcept {
+    const double felt = scale * scale > 0 ? scale * scale : 1;
     const auto lower = [](double& value, double limit) {
         if (limit > 0) value = std::min(value, limit);
     };
     lower(settings.max_force_n, kOfDeviceForce * device.max_force_n);
     lower(settings.continuous_force_n, device.continuous_force_n);
-    lower(settings.stiffness_n_m, device.max_stiffness_n_m);
-    lower(settings.damping_ns_m, device.max_damping_ns_m);
+    lower(settings.stiffness_n_m, device.max_stiffness_n_m / felt);
+    lower(settings.damping_ns_m, device.max_damping_ns_m / felt);
     settings.thermal_floor_n = std::min(settings.thermal_floor_n, settings.max_force_n);
     return settings;
 }

@@ -44,8 +44,10 @@ struct CouplingSettings {
 };
 
 /// The same law within what a device can bear; a limit that the device does not name stays.
-[[nodiscard]] CouplingSettings limited_to(CouplingSettings settings,
-                                          const DeviceInfo& device) noexcept;
+/// `scale`: of the trocar. It acts on motion and on force, so the device feels stiffness and
+/// damping times its square.
+[[nodiscard]] CouplingSettings limited_to(CouplingSettings settings, const DeviceInfo& device,
+                                          double scale = 1) noexcept;
 
 /// The defaults within the limits that a station sets.
 [[nodiscard]] CouplingSettings station_limits(const Station& station);

@@ -168,7 +168,8 @@ Servo::Servo(std::unique_ptr<DeviceGroup> devices, std::span<const sim::ToolSpec
             info.vendor + " " + info.model + (info.serial.empty() ? "" : " " + info.serial);
         if (impl_->device_names.find(name) == std::string::npos)
             impl_->device_names += (impl_->device_names.empty() ? "" : ", ") + name;
-        Impl::HandLoop hand{Trocar(tools[i], trocars[i]), Coupling(limited_to(coupling, info)), {}};
+        const CouplingSettings law = limited_to(coupling, info, trocars[i].scale);
+        Impl::HandLoop hand{Trocar(tools[i], trocars[i]), Coupling(law), {}};
         hand.force = info.dof_force > 0;
         hand.held.set_pose(hand.trocar.tip_pose(DeviceState{}));
         impl_->hands.push_back(hand);

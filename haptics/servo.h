@@ -59,8 +59,8 @@ class Servo {
     void set_paused(bool paused) noexcept;
     [[nodiscard]] bool finish_requested() const noexcept;
     [[nodiscard]] bool renders_force() const noexcept;  ///< One of the devices has motors.
-    /// Stiffness of the spring between hand and tool [N/m], within what the device bears; 0 for a
-    /// hand without force. The physics holds the tool with the same, or the hand would feel
+    /// Stiffness of the spring between hand and tool in W [N/m], within what the device bears; 0
+    /// for a hand without force. The physics holds the tool with the same, or the hand would feel
     /// another force than the tissue's.
     [[nodiscard]] double stiffness_n_m(size_t hand) const noexcept;
 

@@ -101,6 +101,24 @@ TEST(DeviceTrial, ShowsSignalsAndPushesFromTheFloorWithHalfANewtonAtMost) {
     EXPECT_EQ(service.force(0)[2], 0) << "the last force is none";
 }
 
+TEST(DeviceTrial, IsNoStifferForAHandWhoseMotionIsMadeLarger) {
+    HaplyService service;
+    TrialSettings large = settings(service);
+    large.station.set("arm.scale", "2");
+    DeviceTrial trial(large);
+    trial.start();
+    ASSERT_TRUE(until(trial, ready));
+    EXPECT_DOUBLE_EQ(trial.report().stiffness_n_m, kFirstStiffnessNM);
+    trial.set_floor(true);
+    ASSERT_TRUE(until(
+        trial, [](const TrialReport& r) { return std::abs(r.arms[0].height_m - 0.010) < 1e-4; }));
+    lower(service, trial, -0.012);
+    // 2 mm of the hand into it at 100 N/m; after the ramp.
+    EXPECT_TRUE(until(trial, [](const TrialReport& r) {
+        return std::abs(r.arms[0].force_n.y() - 0.2) < 0.01;
+    })) << trial.report().arms[0].force_n.transpose();
+}
+
 TEST(DeviceTrial, GivesNoForceToAnArmThatIsNotCalibrated) {
     HaplyService service;
     service.change([](auto& s) { s.arms[0].calibrated = false; });

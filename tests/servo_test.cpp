@@ -58,6 +58,7 @@ class ScheduledDevice final : public DeviceGroup {
         DeviceInfo info;
         info.dof_force = 3;
         info.owns_servo = true;
+        info.max_stiffness_n_m = 400;
         return {info};
     }
     void read(int64_t t_ns, std::span<DeviceState> states) noexcept override {
@@ -234,6 +235,23 @@ TEST(Servo, KeepsForceAndStiffnessWithinTheDevice) {
     const CouplingSettings free = limited_to({}, DeviceInfo{});
     EXPECT_DOUBLE_EQ(free.max_force_n, CouplingSettings{}.max_force_n);
     EXPECT_DOUBLE_EQ(free.stiffness_n_m, CouplingSettings{}.stiffness_n_m);
+}
+
+// A hand whose motion is made five times larger feels 25 times the stiffness of the spring.
+TEST(Servo, KeepsStiffnessWithinTheDeviceAtItsScale) {
+    DeviceInfo arm;
+    arm.max_stiffness_n_m = 400;
+    arm.max_damping_ns_m = 4;
+    EXPECT_DOUBLE_EQ(limited_to({}, arm, 5).stiffness_n_m, 16);
+    EXPECT_DOUBLE_EQ(limited_to({}, arm, 5).damping_ns_m, 0.16);
+    EXPECT_DOUBLE_EQ(limited_to({}, arm, 0.1).stiffness_n_m, CouplingSettings{}.stiffness_n_m);
+    EXPECT_DOUBLE_EQ(limited_to({}, DeviceInfo{}, 5).stiffness_n_m,
+                     CouplingSettings{}.stiffness_n_m);
+    const std::vector<sim::ToolSpec> tools{sim::ToolSpec{}};
+    TrocarSettings trocar;
+    trocar.scale = 5;
+    const Servo servo(std::make_unique<ScheduledDevice>(), tools, std::span(&trocar, 1), {});
+    EXPECT_DOUBLE_EQ(servo.stiffness_n_m(0), 16) << "the physics holds the tool with as much";
 }
 
 TEST(Servo, CertifiesWhatItDid) {

@@ -84,13 +84,21 @@ bool two_arms(const std::string& device, const Station& station) {
     return !station.text(device + ".left").empty();
 }
 
-CouplingSettings trial_law(const TrialSettings& settings) {
+// As in an attempt, so that the hand feels the same.
+double trial_scale(const TrialSettings& settings, std::span<const sim::ToolSpec> tools) {
+    return default_trocars(tools, settings.device, settings.station).front().scale;
+}
+
+CouplingSettings trial_law(const TrialSettings& settings, double scale) {
     CouplingSettings law = station_limits(settings.station);
     law.servo_gap_s = settings.servo_gap_s;
     law.max_force_n = std::min(law.max_force_n, settings.force_n);
     law.thermal_floor_n = std::min(law.thermal_floor_n, law.max_force_n);
-    if (settings.force_n <= kFirstForceN)
-        law.stiffness_n_m = std::min(law.stiffness_n_m, kFirstStiffnessNM);
+    if (settings.force_n <= kFirstForceN) {
+        const double felt = scale * scale;  // times what the law says
+        law.stiffness_n_m = std::min(law.stiffness_n_m, kFirstStiffnessNM / felt);
+        law.damping_ns_m /= std::max(1.0, felt);
+    }
     return law;
 }
 
@@ -102,6 +110,7 @@ struct DeviceTrial::Impl {
     CouplingSettings law;
     std::unique_ptr<Servo> servo;
     size_t first = 0, shown = 0;  // which of the hands are arms
+    double scale = 1;             // tip per hand
     // World thread.
     std::array<double, sim::kMaxTools> floor_m{};
     double stiffness_n_m = 0;  // of the coupling: what it stands on presses back with the same
@@ -129,8 +138,8 @@ void DeviceTrial::Impl::frame() noexcept {
     auto& feedback = exchange.feedback.back();
     for (size_t i = 0; i < infos.size(); ++i) {
         sim::Pose tip = inputs[i].pose();
-        if (anew) floor_m[i] = tip.p.y() - kFloorBelowM;
-        height_m[i].store(on ? tip.p.y() - floor_m[i] : 0, std::memory_order_relaxed);
+        if (anew) floor_m[i] = tip.p.y() - scale * kFloorBelowM;
+        height_m[i].store(on ? (tip.p.y() - floor_m[i]) / scale : 0, std::memory_order_relaxed);
         const double below_m = on ? std::max(0.0, floor_m[i] - tip.p.y()) : 0;
         tip.p.y() += below_m;
         feedback[i].force_n = Vec3(0, stiffness_n_m * below_m, 0);
@@ -165,11 +174,12 @@ DeviceTrial::DeviceTrial(const TrialSettings& settings) : impl_(std::make_unique
     config.tools = trial_tools(settings.station, two_arms(settings.device, settings.station));
     TrocarSettings trocar;
     trocar.mapping = Mapping::kTip;
+    trocar.scale = impl_->scale = trial_scale(settings, config.tools);
     trocar.home_tip_m = Vec3(0, 0, 0.020);
     auto group = std::make_unique<WatchedGroup>(open_device(config));
     impl_->watched = group.get();
     impl_->infos = group->info();
-    impl_->law = trial_law(settings);
+    impl_->law = trial_law(settings, impl_->scale);
     const std::vector<TrocarSettings> trocars(config.tools.size(), trocar);
     impl_->servo = std::make_unique<Servo>(std::move(group), config.tools, trocars, impl_->law);
     impl_->stiffness_n_m = impl_->servo->stiffness_n_m(0);
@@ -215,9 +225,9 @@ TrialReport DeviceTrial::report() {
     }
     out.floor = impl.floor;
     const DeviceInfo first = impl.infos.empty() ? DeviceInfo{} : impl.infos.front();
-    const CouplingSettings law = limited_to(impl.law, first);
+    const CouplingSettings law = limited_to(impl.law, first, impl.scale);
     out.force_n = law.max_force_n;
-    out.stiffness_n_m = law.stiffness_n_m;
+    out.stiffness_n_m = impl.scale * impl.scale * law.stiffness_n_m;
     out.certificate = impl.servo->certificate();
     out.identity = now.identity;
     return out;

@@ -38,13 +38,13 @@ struct TrialArm {
     DeviceInfo info;
     DeviceState state;            ///< Frame D.
     Vec3 force_n = Vec3::Zero();  ///< That it was sent, in D.
-    double height_m = 0;          ///< Above the floor; 0 without a floor.
+    double height_m = 0;          ///< Of the hand above the floor; 0 without a floor.
 };
 
 struct TrialReport {
     std::vector<TrialArm> arms;
     bool floor = false;
-    double force_n = 0, stiffness_n_m = 0;  ///< Ceiling and stiffness that hold.
+    double force_n = 0, stiffness_n_m = 0;  ///< Ceiling and stiffness that the hand feels.
     HapticCertificate certificate;
     IdentityState identity;
 };

@@ -20,6 +20,7 @@ namespace {
 
 /// Forces of the test, one after the other; the first is 0.5 N.
 constexpr std::array<double, 4> kLevelsN{0.5, 1, 2, 3};
+constexpr double kLeastLimitN = 0.1;  // of the setting of the computer
 
 class TrialCard : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(TrialCard)
@@ -243,9 +244,11 @@ class TrialCard : public QFrame {
         begin();
     }
 
-    // Half of what was too much, as the bench checklist says.
+    // Half of what was too much, as the bench checklist says; the computer may allow less than the
+    // level already.
     void failed() {
-        const double force = level() / 2;
+        const double allowed = wishes_.station().number("limit.force_n");
+        const double force = std::max(kLeastLimitN, std::min(level(), allowed) / 2);
         tester_.stop();
         level_ = 0;
         if (wishes_.change([&](haptics::Station& station) {
