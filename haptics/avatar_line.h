@@ -63,11 +63,15 @@ inline bool read_answer(std::string_view line, size_t count, std::array<int, kMa
     return found == count;
 }
 
-/// A device on a line that answers one line at a time.
+/// A device on a line that answers one line at a time, in order. Answers carry no number of their
+/// line: one that comes too late is still awaited and left out, or the next line would take it for
+/// its own, and so would every line after it.
 struct Talker {
     explicit Talker(const std::string& path, double settle_s) : serial(path, settle_s) {}
     SerialLine serial;
     bool waiting = false, asked_more = false;
+    bool left_out = false;  // an owed answer, since the last line
+    int64_t owed = 0;       // answers to lines that nobody waits for any more
     size_t expected = 0;
     int64_t sent_ns = 0, seen_ns = 0, lines = 0;
 
@@ -79,20 +83,32 @@ struct Talker {
         bool good = false;
         if (!serial.step(t_ns)) {
             waiting = false;
+            owed = 0;
             return false;
         }
         std::string_view line;
         while (serial.next_line(line)) {
-            if (!waiting) continue;  // an answer that came too late
+            if (owed > 0) {
+                --owed;
+                left_out = true;
+                continue;
+            }
+            // What does not fit is no answer to this line: its own may follow.
+            if (!waiting || !read_answer(line, expected, values)) continue;
             waiting = false;
-            good = read_answer(line, expected, values);
-            if (good) seen_ns = t_ns;
+            good = true;
+            seen_ns = t_ns;
         }
-        if (waiting && t_ns - sent_ns > kAnswerNs) waiting = false;
+        if (waiting && t_ns - sent_ns > kAnswerNs) {
+            waiting = false;
+            // Left out was this line's own, then: what was owed never comes.
+            owed = left_out ? 0 : owed + 1;
+        }
         return good;
     }
     void say(int64_t t_ns, std::string_view line, size_t answers) noexcept {
         waiting = serial.send(line);
+        left_out = false;
         expected = answers;
         sent_ns = t_ns;
         ++lines;

@@ -137,6 +137,27 @@ TEST(Avatar, IsLostInSilenceAndRubbishAndComesBack) {
     EXPECT_TRUE(session.until(is(DeviceStatus::kLost)));
 }
 
+// The instrument that is drawn out stands in every tenth answer, which is longer than the others.
+TEST(Avatar, StaysInStepWhenAnAnswerComesLateOrNever) {
+    for (const bool never : {false, true}) {
+        AvatarPort port;
+        Session session(config(port));
+        ASSERT_TRUE(session.until([&] { return session.states[0].engaged; }));
+        port.every_ms = 3;
+        if (never)
+            port.swallow = true;
+        else
+            port.once_ms = 30;
+        ASSERT_TRUE(session.until([&] { return port.once_ms == 0 && !port.swallow; }));
+        const auto ready = [&] { return session.states[0].status == DeviceStatus::kReady; };
+        const int before = port.lines;
+        ASSERT_TRUE(session.until([&] { return port.lines > before + 20 && ready(); }));
+        port.change([](auto& p) { p.answers[28] = {0}; });
+        EXPECT_TRUE(session.until([&] { return !session.states[0].engaged && ready(); }))
+            << (never ? "swallowed" : "late");
+    }
+}
+
 TEST(Avatar, LowersItsForceWhenAnAmplifierIsHot) {
     AvatarPort port;
     port.change([](auto& p) { p.answers[5] = {0x20}; });

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <map>
 #include <mutex>
 #include <sstream>
@@ -29,6 +30,8 @@ class AvatarPort {
     std::array<int, 4> force{};       ///< As last sent: rotation, pitch, depth, yaw.
     bool silent = false, garbage = false;
     std::atomic<int> lines{0}, enabled{-1};
+    std::atomic<int> every_ms{0}, once_ms{0};  ///< Before an answer; before the next one only.
+    std::atomic<bool> swallow{false};          ///< The next answer.
 
     explicit AvatarPort(bool box = false) {
         if (box) {
@@ -82,7 +85,7 @@ class AvatarPort {
                 for (const int value : answers[command]) out += std::to_string(value) + " ";
         }
         ++lines;
-        if (silent) return;
+        if (silent || swallow.exchange(false)) return;
         if (garbage) out = "? " + out;
         out += '\n';
         (void)!::write(master_, out.data(), out.size());
@@ -97,8 +100,11 @@ class AvatarPort {
             const ssize_t got = ::read(master_, buffer, sizeof buffer);
             if (got <= 0) continue;
             seen.append(buffer, static_cast<size_t>(got));
-            for (size_t end; (end = seen.find('\n')) != std::string::npos; seen.erase(0, end + 1))
+            for (size_t end; (end = seen.find('\n')) != std::string::npos; seen.erase(0, end + 1)) {
+                std::this_thread::sleep_for(
+                    std::chrono::milliseconds(every_ms + once_ms.exchange(0)));
                 take(seen.substr(0, end));
+            }
         }
     }
 
