@@ -62,7 +62,7 @@ struct DeviceState {
 struct DeviceCommand {
     Vec3 force_n = Vec3::Zero();  ///< In D.
     double roll_torque_nm = 0, grip_force_n = 0;
-    int64_t valid_until_ns = 0;  ///< A driver zeroes the force after this by itself.
+    int64_t valid_until_ns = 0;  ///< The servo, and a driver with a loop, send none later.
 };
 
 /// What a scripted operator is allowed to see: what a person sees on the screen.

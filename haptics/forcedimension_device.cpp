@@ -16,8 +16,10 @@ namespace {
 // Not errors: the call came sooner than the guard allows, or a motor is at its limit.
 constexpr int kTimeGuard = 1, kMotorSaturated = 2;
 constexpr int kStatusWords = 17, kPower = 0, kConnected = 1, kReset = 3, kErrorWord = 9;
-constexpr int kPoll = 100;        // ticks between looks at the status
-constexpr int kRetryTicks = 100;  // failed reads before the arm counts as lost for good
+constexpr int kPoll = 100;                    // ticks between looks at the status
+constexpr int kRetryTicks = 100;              // failed reads before the arm counts as lost for good
+constexpr unsigned char kWatchdogTicks = 80;  // of 125 us: without a force for 10 ms none is held
+constexpr int64_t kGapNs = 5'000'000;         // the watchdog may have acted
 constexpr double kGripperOpenRad = 0.5;
 constexpr double kMaxForceN = 12, kContinuousForceN = 4;  // of the weakest of them (omega)
 
@@ -40,6 +42,7 @@ struct Library {
     int (*set_max_force)(double, char);
     int (*get_status)(int*, char);
     const char* (*last_error)();
+    int (*set_watchdog)(unsigned char, char);  // null: an older SDK
 };
 
 constexpr const char* kHowToInstall =
@@ -87,6 +90,8 @@ Library load_library(const Station& station) {
     load(library, "dhdSetMaxForce", dhd.set_max_force);
     load(library, "dhdGetStatus", dhd.get_status);
     load(library, "dhdErrorGetLastStr", dhd.last_error);
+    dhd.set_watchdog =
+        reinterpret_cast<int (*)(unsigned char, char)>(dlsym(library, "dhdSetWatchdog"));
     return dhd;
 }
 
@@ -159,6 +164,8 @@ class ForceDimensionDevice final : public ArmHands {
             // A second line of defence, in the vendor's own loop.
             dhd_.set_max_force(config.station.number("limit.force_n"), arm.id);
             dhd_.gravity_compensation(1, arm.id);
+            // A program that stands still sends no zero: the firmware lets go by itself.
+            if (dhd_.set_watchdog != nullptr) (void)dhd_.set_watchdog(kWatchdogTicks, arm.id);
             look_at_status(arm);
         }
     }
@@ -175,10 +182,13 @@ class ForceDimensionDevice final : public ArmHands {
     }
 
  protected:
-    void sense(int64_t, std::span<ArmSample> samples) noexcept override {
+    void sense(int64_t t_ns, std::span<ArmSample> samples) noexcept override {
+        const bool gap = ticks_ > 0 && t_ns - sensed_ns_ > kGapNs;
+        sensed_ns_ = t_ns;
         for (size_t a = 0; a < samples.size() && a < arms_.size(); ++a) {
             DhdArm& arm = arms_[a];
             ArmSample& sample = samples[a];
+            if (gap) arm.forces_on = false;  // enabled again below
             double x = 0, y = 0, z = 0, frame[3][3]{};
             if (failed(dhd_.get_frame(&x, &y, &z, frame, arm.id))) {
                 arm.failures = std::min(arm.failures + 1, kRetryTicks);
@@ -248,7 +258,7 @@ class ForceDimensionDevice final : public ArmHands {
 
     Library dhd_;
     std::vector<DhdArm> arms_;
-    int64_t ticks_ = 0;
+    int64_t ticks_ = 0, sensed_ns_ = 0;
 };
 
 }  // namespace

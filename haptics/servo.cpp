@@ -16,7 +16,7 @@ namespace {
 
 constexpr int64_t kPeriodNs = 1'000'000;
 constexpr int64_t kLateNs = 1'100'000, kGapNs = 5'000'000;
-constexpr int64_t kCommandLifeNs = 10'000'000;  // A driver zeroes an older force by itself.
+constexpr int64_t kCommandLifeNs = 10'000'000;  // An older force is not sent.
 constexpr int kReleaseTicks = 60;               // The release ramp takes 50.
 
 }  // namespace
@@ -132,6 +132,9 @@ bool Servo::Impl::tick_all(int64_t now_ns) noexcept {
     }
     devices->read(now_ns, states);
     for (size_t i = 0; i < hands.size(); ++i) tick_hand(i, now_ns, inputs[i], feedback[i]);
+    // A read that hung: these forces answer to a hand of the past.
+    if (devices->now_ns() - now_ns > kCommandLifeNs)
+        std::fill(commands.begin(), commands.end(), DeviceCommand{});
     devices->write(commands);
     exchange.inputs.publish(inputs);
     count(counters.ticks);

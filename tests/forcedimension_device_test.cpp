@@ -134,6 +134,20 @@ TEST(ForceDimension, LosesAnArmAndTakesItBack) {
     EXPECT_GT(force(0).norm(), 0.9);
 }
 
+TEST(ForceDimension, LetsTheFirmwareTakeTheForceOfAProgramThatStandsStill) {
+    reset(2);
+    Session session;
+    for (const int id : {0, 1})
+        EXPECT_EQ(fake<int(int)>("fakedhd_watchdog")(id), 80) << "of 125 us: 10 ms";
+    session.tick(5, Vec3(0, 0, 1));
+    ASSERT_GT(force(0).norm(), 0.9);
+    fake<void(int)>("fakedhd_watchdog_acts")(0);
+    session.t_ns += 20'000'000;
+    session.tick(1, Vec3(0, 0, 1));
+    EXPECT_GT(force(0).norm(), 0.9) << "enabled again after the gap";
+    EXPECT_EQ(breaches(), 0);
+}
+
 TEST(ForceDimension, ClosesWithoutForceAndAllocatesNothing) {
     reset(2);
     {

@@ -62,13 +62,16 @@ class ScheduledDevice final : public DeviceGroup {
         return {info};
     }
     void read(int64_t t_ns, std::span<DeviceState> states) noexcept override {
+        clock_ns += read_ns;
         for (auto& state : states) {
             state = {};
             state.status = status;
             state.t_ns = t_ns;
         }
     }
-    void write(std::span<const DeviceCommand>) noexcept override {}
+    void write(std::span<const DeviceCommand> commands) noexcept override {
+        force = commands[0].force_n;
+    }
     [[nodiscard]] bool start(ServoTick tick, void* context) override {
         tick_ = tick;
         context_ = context;
@@ -80,7 +83,8 @@ class ScheduledDevice final : public DeviceGroup {
         (void)tick_(context_, clock_ns);
     }
 
-    int64_t clock_ns = kMs;
+    int64_t clock_ns = kMs, read_ns = 0;
+    Vec3 force = Vec3::Ones();
     DeviceStatus status = DeviceStatus::kReady;
 
  private:
@@ -89,7 +93,12 @@ class ScheduledDevice final : public DeviceGroup {
 };
 
 struct ScheduledBench {
-    ScheduledBench() : servo(take(), tools, std::vector(1, TrocarSettings{}), {}) { servo.start(); }
+    ScheduledBench() : servo(take(), tools, std::vector(1, tip()), {}) { servo.start(); }
+    static TrocarSettings tip() {
+        TrocarSettings settings;
+        settings.mapping = Mapping::kTip;
+        return settings;
+    }
     std::unique_ptr<DeviceGroup> take() {
         auto made = std::make_unique<ScheduledDevice>();
         device = made.get();
@@ -101,7 +110,7 @@ struct ScheduledBench {
     void tick(int n) {
         for (int i = 0; i < n; ++i) {
             auto& out = servo.exchange().feedback.back();
-            out[0].proxy.p = TrocarSettings{}.home_tip_m;
+            out[0].proxy.p = TrocarSettings{}.home_tip_m + pushed_m;
             out[0].time_s = time_s += 1e-3;
             servo.exchange().feedback.publish();
             device->tick();
@@ -110,6 +119,7 @@ struct ScheduledBench {
     [[nodiscard]] CertificateGrade grade() const { return judge(servo.certificate()).grade; }
 
     ScheduledDevice* device = nullptr;  // the servo's
+    Vec3 pushed_m = Vec3::Zero();
     std::vector<sim::ToolSpec> tools{sim::ToolSpec{}};
     Servo servo;
     double time_s = 0;
@@ -363,6 +373,19 @@ TEST(Servo, HoldsTheTimeAfterItsReleaseAgainstNoScheduler) {
     bench.servo.stop();
     EXPECT_EQ(bench.servo.certificate().missed, 0u);
     EXPECT_EQ(bench.grade(), CertificateGrade::kSound);
+}
+
+TEST(Servo, SendsNoForceAfterAReadThatHung) {
+    ScheduledBench bench;
+    bench.pushed_m.z() = 0.001;
+    bench.tick(700);
+    ASSERT_GT(bench.device->force.norm(), 0.2) << "there was a force to hold";
+    bench.device->read_ns = 20 * kMs;
+    bench.tick(1);
+    EXPECT_EQ(bench.device->force, Vec3::Zero());
+    bench.device->read_ns = 0;
+    bench.tick(700);
+    EXPECT_GT(bench.device->force.norm(), 0.1) << "and it comes back by its ramp";
 }
 
 TEST(Servo, GivesTheSameBitsForTheSameHand) {

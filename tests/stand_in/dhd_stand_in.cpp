@@ -12,7 +12,7 @@ struct Arm {
     double position[3]{}, gripper = 0, force[3]{}, max_force = 0;
     double frame[3][3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     unsigned buttons = 0;
-    int status[17]{1, 1, 1, 0}, result = 0, gravity = 0;
+    int status[17]{1, 1, 1, 0}, result = 0, gravity = 0, watchdog = 0;
 };
 Arm g_arms[2];
 int g_count = 2;
@@ -89,6 +89,10 @@ int dhdSetMaxForce(double newtons, char id) {
     if (Arm* arm = arm_of(id)) arm->max_force = newtons;
     return 0;
 }
+int dhdSetWatchdog(unsigned char ticks, char id) {
+    if (Arm* arm = arm_of(id)) arm->watchdog = ticks;
+    return 0;
+}
 int dhdGetStatus(int* status, char id) {
     const Arm* arm = arm_of(id);
     if (arm == nullptr) return -1;
@@ -116,6 +120,12 @@ void fakedhd_unplug(int id, int out) { g_arms[id].unplugged = out != 0; }
 void fakedhd_occupy(int id) { g_arms[id].open = true; }
 void fakedhd_force(int id, double* newtons) { std::copy_n(g_arms[id].force, 3, newtons); }
 double fakedhd_max_force(int id) { return g_arms[id].max_force; }
+int fakedhd_watchdog(int id) { return g_arms[id].watchdog; }
+/// As the firmware does without a force for the time of its watchdog.
+void fakedhd_watchdog_acts(int id) {
+    g_arms[id].force_on = false;
+    std::fill_n(g_arms[id].force, 3, 0.0);
+}
 int fakedhd_open(int id) { return g_arms[id].open ? 1 : 0; }
 int fakedhd_breaches() { return g_breaches; }
 
