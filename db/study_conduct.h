@@ -23,6 +23,7 @@ namespace placode::db {
 [[nodiscard]] std::optional<curriculum::StudyProtocol> protocol_of(Store& store,
                                                                    const std::string& study_id,
                                                                    const std::string& code);
+
 /// Consent and demographics are asked for at the first visit only, everything else at each.
 /// @param visit from 1.
 [[nodiscard]] bool asked_at(const curriculum::StudyStep& step, int visit);
