@@ -179,7 +179,8 @@ CouplingResult Coupling::tick(int64_t t_ns, const DeviceState& device, const Vec
     out.stale = watchdog_.ever() && watchdog_.fading(age);
 
     out.trusted = trust(t_ns, device, tip_m, dt, out.fault);
-    if (!out.trusted) apart_ = true;
+    // Behind a tool state that is too old the hand may have gone anywhere.
+    if (!out.trusted || watchdog_.dead(age)) apart_ = true;
     // No hand, no tool yet, or a tool state too old: no force; the way back is a ramp. A clutch
     // holds the tool and lets the hand go.
     if (!out.trusted || device.clutched || watchdog_.dead(age)) {
@@ -187,14 +188,19 @@ CouplingResult Coupling::tick(int64_t t_ns, const DeviceState& device, const Vec
         out.silent = true;
         return out;
     }
-    // A hand that was lost and comes back elsewhere gets no force before tool and hand have met.
+    const bool gap = dt > settings_.servo_gap_s;
+    uneven_s_ = gap ? settings_.uneven_memory_s : std::max(0.0, uneven_s_ - dt);
+    if (gap) {  // Likewise behind a gap of the servo.
+        go_silent();
+        apart_ = true;
+    }
+    // A hand that comes back elsewhere gets no force before tool and hand have met: a ramp from
+    // where it is would push it in air, while its tool runs after it.
     if (silent_ && apart_ && (tool_ - tip_m).norm() > settings_.start_gap_m) {
         out.silent = true;
         return out;
     }
-    uneven_s_ = std::max(0.0, uneven_s_ - dt);
-    if (dt > settings_.servo_gap_s) uneven_s_ = settings_.uneven_memory_s;
-    if (silent_ || dt > settings_.servo_gap_s) reanchor(tip_m);
+    if (silent_) reanchor(tip_m);
     ramp_ = std::min(1.0, ramp_ + dt / settings_.ramp_s);
     if (releasing_) release_ = std::max(0.0, release_ - dt / kReleaseTimeS);
 

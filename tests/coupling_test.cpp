@@ -49,13 +49,16 @@ struct Bench {
 };
 
 // Pushes the hand 2 mm below a tool that stays, slowly, after the start ramp.
-Bench pressed() {
+Bench pressed(double depth_m = 0.002) {
     Bench bench;
     bench.ticks(700, Vec3::Zero());
-    for (int i = 1; i <= 200; ++i) bench.tick(Vec3(0, 0, -0.002 * i / 200));
-    bench.ticks(300, Vec3(0, 0, -0.002));
+    for (int i = 1; i <= 200; ++i) bench.tick(Vec3(0, 0, -depth_m * i / 200));
+    bench.ticks(300, Vec3(0, 0, -depth_m));
     return bench;
 }
+
+// Near enough to its tool for a force to begin anew.
+const Vec3 kNear(0, 0, -0.0015);
 
 TEST(Coupling, PullsTheHandToTheToolWithItsStiffness) {
     Bench bench = pressed();
@@ -162,17 +165,17 @@ TEST(Coupling, LowersTheCeilingWhenTheDeviceSaysItsMotorsAreHot) {
 
 // Clock jumps: whatever the clock does, the force stays in its limits and begins by a ramp.
 TEST(Coupling, StartsAgainByARampWhenTheClockGoesBack) {
-    Bench bench = pressed();
-    bench.state.position_m = Vec3(0, 0, -0.002);
-    const auto back = bench.tick(Vec3(0, 0, -0.002), false, -500 * kMs);
+    Bench bench = pressed(0.0015);
+    bench.state.position_m = kNear;
+    const auto back = bench.tick(kNear, false, -500 * kMs);
     EXPECT_EQ(back.force_n, Vec3::Zero());
     double before = 0;
     for (int i = 0; i < 700; ++i) {
-        const auto result = bench.tick(Vec3(0, 0, -0.002));
+        const auto result = bench.tick(kNear);
         EXPECT_LE(result.force_n.norm() - before, 0.03 + 1e-9);
         before = result.force_n.norm();
     }
-    EXPECT_NEAR(before, 150 * 0.002, 0.01) << "softer for ten minutes: the loop is not even";
+    EXPECT_NEAR(before, 150 * 0.0015, 0.01) << "softer for ten minutes: the loop is not even";
 }
 
 TEST(Coupling, IsSilentWhenTheClockJumpsAheadPastTheWatchdog) {
@@ -193,12 +196,11 @@ TEST(Coupling, BearsABurstOfTicks) {
 }
 
 TEST(Coupling, IsSofterAfterAGapOfTheServo) {
-    Bench bench = pressed();
-    bench.tick(Vec3(0, 0, -0.002), true, 20 * kMs);
-    EXPECT_NEAR(bench.ticks(700, Vec3(0, 0, -0.002)).force_n.z(), 150 * 0.002, 0.01);
-    for (int i = 0; i < 600'000; ++i) bench.tick(Vec3(0, 0, -0.002));
-    EXPECT_NEAR(bench.tick(Vec3(0, 0, -0.002)).force_n.z(), 300 * 0.002, 0.01)
-        << "ten even minutes later";
+    Bench bench = pressed(0.0015);
+    bench.tick(kNear, true, 20 * kMs);
+    EXPECT_NEAR(bench.ticks(700, kNear).force_n.z(), 150 * 0.0015, 0.01);
+    for (int i = 0; i < 600'000; ++i) bench.tick(kNear);
+    EXPECT_NEAR(bench.tick(kNear).force_n.z(), 300 * 0.0015, 0.01) << "ten even minutes later";
 }
 
 TEST(Coupling, GivesNoForceBeforeThereIsAToolState) {
@@ -277,9 +279,9 @@ TEST(Coupling, FadesTheForceThroughAStallOfFiftyMilliseconds) {
 }
 
 TEST(Coupling, IsSilentInAStallOfHalfASecondAndComesBackByARamp) {
-    Bench bench = pressed();
+    Bench bench = pressed(0.0015);
     for (int i = 1; i <= 500; ++i) {
-        const auto result = bench.tick(Vec3(0, 0, -0.002), false);
+        const auto result = bench.tick(kNear, false);
         if (i > 50) {
             EXPECT_EQ(result.force_n, Vec3::Zero()) << i << " ms";
         }
@@ -287,16 +289,49 @@ TEST(Coupling, IsSilentInAStallOfHalfASecondAndComesBackByARamp) {
     }
     double before = 0;
     for (int i = 0; i < 600; ++i) {
-        const double now = bench.tick(Vec3(0, 0, -0.002)).force_n.norm();
+        const double now = bench.tick(kNear).force_n.norm();
         EXPECT_LE(now - before, 0.03 + 1e-9);
         before = now;
     }
-    EXPECT_NEAR(before, 0.6, 0.01);
+    EXPECT_NEAR(before, 300 * 0.0015, 0.01);
 }
 
 TEST(Coupling, RampsInAgainAfterAGapOfTheServo) {
-    Bench bench = pressed();
-    EXPECT_LT(bench.tick(Vec3(0, 0, -0.002), true, 20 * kMs).force_n.norm(), 0.01);
+    Bench bench = pressed(0.0015);
+    EXPECT_LT(bench.tick(kNear, true, 20 * kMs).force_n.norm(), 0.01);
+}
+
+// Behind a pause, a stall or a gap the hand is somewhere else, and its tool runs after it: a force
+// that began at once would push the hand in free air by the way that it went meanwhile.
+TEST(Coupling, DoesNotPushAHandInAirThatWentOnBehindAStall) {
+    Bench bench;
+    bench.ticks(700, Vec3::Zero());
+    for (int i = 1; i <= 600; ++i)
+        EXPECT_LT(bench.tick(Vec3(0.00005 * i, 0, 0), false).force_n.norm(), 1.0) << i;
+    const Vec3 hand(0.030, 0, 0);
+    for (int i = 0; i < 700; ++i) {
+        bench.feedback.proxy.p = bench.home + std::min(1.0, 0.1 * i) * hand;
+        const auto result = bench.tick(hand);
+        EXPECT_LT(result.force_n.norm(), 0.05) << i << " ms";
+        EXPECT_TRUE(result.trusted) << "the tool may come to the hand";
+        // It has 3 mm to go in the ninth step, and is there in the tenth.
+        EXPECT_EQ(result.silent, i < 10) << i << " ms";
+    }
+    bench.feedback.proxy.p.z() += 0.001;
+    EXPECT_NEAR(bench.ticks(100, hand).force_n.norm(), 0.3, 0.01) << "and the force is back";
+}
+
+TEST(Coupling, DoesNotPushAHandInAirThatWentOnBehindAGapOfTheServo) {
+    Bench bench;
+    bench.ticks(700, Vec3::Zero());
+    const Vec3 hand(0.008, 0, 0);
+    EXPECT_EQ(bench.tick(hand, true, 20 * kMs).force_n, Vec3::Zero());
+    for (int i = 0; i < 700; ++i) {
+        bench.feedback.proxy.p = bench.home + std::min(1.0, i / 3.0) * hand;
+        EXPECT_LT(bench.tick(hand).force_n.norm(), 0.05) << i << " ms";
+    }
+    bench.feedback.proxy.p.z() += 0.001;
+    EXPECT_NEAR(bench.ticks(100, hand).force_n.norm(), 0.15, 0.01) << "softer, as after any gap";
 }
 
 TEST(Coupling, IsSilentAfterAJumpUntilTheHandBehaves) {
