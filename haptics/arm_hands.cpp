@@ -16,6 +16,7 @@ constexpr uint32_t kGripButton = 1, kClutchButton = 2, kCoagButton = 4;
 constexpr int64_t kShortPressNs = 250'000'000;  // shorter: change of instrument
 constexpr double kJawS = 0.150;                 // a button closes jaws in this time
 constexpr double kRatchet = 0.18;               // as for the mouse: holds without crushing
+constexpr double kMeetM = 0.002;                // an arm is back at its instrument
 
 bool energy_tool(const sim::ToolSpec& tool) noexcept { return sim::uses_pedals(tool.kind); }
 
@@ -70,16 +71,34 @@ void ArmHands::change_tool(Arm& arm) noexcept {
         old.roll_rad = old.jaw_rad = 0;
     }
     arm.turn = (arm.turn + 1) % arm.tools.size();
-    arm.anchored = false;
+    arm.anchored = arm.waits = arm.met = false;
+}
+
+// An arm that is itself the instrument in the port cannot be taken up elsewhere. Behind a pause its
+// tool stays, held and without force, until the arm is back where it stands, or is drawn out and
+// comes in anew.
+void ArmHands::wait_for_arm(Arm& arm, const ArmSample& sample) const noexcept {
+    if (arm.tools.empty()) return;
+    if (on_hold_) {
+        arm.waits = arm.waits || (sample.absolute && arm.anchored);
+        return;
+    }
+    if (!arm.waits) return;
+    const Vec3 gap = sample.position_m - handles_[arm.tools[arm.turn]].position_m;
+    const bool there = sample.status == DeviceStatus::kReady && sample.held;
+    arm.met = there && gap.norm() <= kMeetM;
+    arm.waits = there && !arm.met;
 }
 
 // Held, the second button lets the hand move without the tool; tapped, it changes the instrument.
+// A pause is a clutch for every arm.
 void ArmHands::clutch(Arm& arm, const ArmSample& sample, int64_t t_ns) noexcept {
     const bool now = (sample.buttons & kClutchButton) != 0;
     const bool before = (arm.buttons & kClutchButton) != 0;
     if (now && !before) arm.pressed_ns = t_ns;
-    if (before && !now && t_ns - arm.pressed_ns < kShortPressNs) change_tool(arm);
-    arm.clutched = now && !sample.absolute;
+    if (before && !now && !on_hold_ && t_ns - arm.pressed_ns < kShortPressNs) change_tool(arm);
+    wait_for_arm(arm, sample);
+    arm.clutched = sample.absolute ? arm.waits : now || on_hold_;
     arm.buttons = sample.buttons;
 }
 
@@ -97,10 +116,10 @@ void ArmHands::follow(Arm& arm, const ArmSample& sample) noexcept {
         arm.anchored = true;
         arm.zero_m = sample.position_m - handle.position_m;
         arm.roll_zero = sample.roll_rad - handle.roll_rad;
-    }
-    if (sample.absolute) {
-        arm.zero_m.setZero();
-        arm.roll_zero = 0;
+        // The turn that an arm made in a pause stays between it and its tool.
+        if (sample.absolute) arm.zero_m.setZero();
+        if (sample.absolute && !arm.met) arm.roll_zero = 0;
+        arm.met = false;
     }
     handle.position_m = sample.position_m - arm.zero_m;
     handle.roll_rad = nearest_turn(sample.roll_rad - arm.roll_zero, handle.roll_rad);
@@ -125,9 +144,9 @@ void ArmHands::fill(Arm& arm, const ArmSample& sample, uint8_t pedals, double dt
         const bool close = (sample.buttons & kGripButton) != 0;
         const double widest = tools_[i].jaw_open_rad;
         const double step = widest * dt_s / kJawS;
-        handle.jaw_rad = std::isfinite(sample.jaw) ? widest * std::clamp(sample.jaw, 0.0, 1.0)
-                                                   : handle.jaw_rad + (close ? -step : step);
-        handle.jaw_rad = std::clamp(handle.jaw_rad, handle.jaw_least_rad, widest);
+        double jaw = handle.jaw_rad + (close ? -step : step);
+        if (std::isfinite(sample.jaw)) jaw = widest * std::clamp(sample.jaw, 0.0, 1.0);
+        if (!on_hold_) handle.jaw_rad = std::clamp(jaw, handle.jaw_least_rad, widest);
         if (!sample.position_m.allFinite()) out.position_m = sample.position_m;  // a doubt: say so
         out.orientation = sample.orientation;
         out.jaw_rad = energy ? 0 : handle.jaw_rad;
@@ -171,7 +190,8 @@ void ArmHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
         if ((samples_[a].buttons & kGripButton) != 0) feet |= sim::kPedalCut;
         if ((samples_[a].buttons & kCoagButton) != 0) feet |= sim::kPedalCoag;
     }
-    const uint8_t pedals = guard_.update(feet, t_ns, now.focused && held);
+    // A pedal that is down in a pause has to be pressed anew.
+    const uint8_t pedals = guard_.update(feet, t_ns, now.focused && held && !on_hold_);
     before_ = now;
 
     for (DeviceState& state : states) {

@@ -44,6 +44,7 @@ class ArmHands : public DeviceGroup {
  public:
     /// `hands`: which hand every arm stands for; one arm alone takes the tools of both in turn.
     ArmHands(const DeviceConfig& config, std::vector<sim::Hand> hands);
+    void hold(bool paused) noexcept final { on_hold_ = paused; }
     void read(int64_t t_ns, std::span<DeviceState> states) noexcept final;
     void write(std::span<const DeviceCommand> commands) noexcept final;
     [[nodiscard]] std::vector<DeviceInfo> info() const final;
@@ -67,6 +68,7 @@ class ArmHands : public DeviceGroup {
         std::vector<size_t> tools;  // in the order in which they take turns
         size_t turn = 0;
         bool anchored = false, clutched = false;
+        bool waits = false, met = false;  // absolute, behind a pause: see `wait_for_arm`
         Vec3 zero_m = Vec3::Zero();
         double roll_zero = 0;
         uint32_t buttons = 0;
@@ -81,6 +83,7 @@ class ArmHands : public DeviceGroup {
     };
 
     void change_tool(Arm& arm) noexcept;
+    void wait_for_arm(Arm& arm, const ArmSample& sample) const noexcept;
     void clutch(Arm& arm, const ArmSample& sample, int64_t t_ns) noexcept;
     void follow(Arm& arm, const ArmSample& sample) noexcept;
     void fill(Arm& arm, const ArmSample& sample, uint8_t pedals, double dt_s,
@@ -93,7 +96,7 @@ class ArmHands : public DeviceGroup {
     std::array<ArmForce, kMaxArms> forces_;
     sim::Latest<sim::WindowInput>* window_;
     sim::WindowInput before_, idle_;
-    bool window_seen_ = false, finished_ = false;
+    bool window_seen_ = false, finished_ = false, on_hold_ = false;
     FootPedals feet_;
     PedalGuard guard_;
     int64_t last_ns_ = 0;

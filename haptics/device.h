@@ -136,6 +136,10 @@ class DeviceGroup {
     /// which axis, in D; a zero arm is its own shaft. Devices whose hand turns by itself ignore it.
     virtual void turn_about(size_t /*tool*/, const Vec3& /*arm_m*/, const Vec3& /*axis*/) noexcept {
     }
+    /// Before a tick is read: true while the attempt is paused. The instruments then stay where
+    /// they are, and go on from there, wherever the hands have gone meanwhile. Scripts, which wait
+    /// with the simulation, ignore it.
+    virtual void hold(bool /*paused*/) noexcept {}
     /// Only scripted operators look.
     virtual void perceive(const Perception&) noexcept {}
     /// A group with a scheduler of its own (`DeviceInfo::owns_servo`) begins to call `tick` on its

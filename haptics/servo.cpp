@@ -130,6 +130,7 @@ bool Servo::Impl::tick_all(int64_t now_ns) noexcept {
         devices->turn_about(i, trocar.device_vector(feedback[i].turn_centre_m),
                             trocar.device_vector(Vec3::UnitZ()).normalized());
     }
+    devices->hold(paused.load(std::memory_order_relaxed));
     devices->read(now_ns, states);
     for (size_t i = 0; i < hands.size(); ++i) tick_hand(i, now_ns, inputs[i], feedback[i]);
     // A read that hung: these forces answer to a hand of the past.

@@ -54,8 +54,9 @@ class Servo {
     /// thread.
     void release() noexcept;
     /// While the simulation is paused its tool states age on purpose: that is not counted against
-    /// the certificate; a fault of a device is, once it outlasts the pause. The force has faded by
-    /// then like in any stall. Any thread.
+    /// the certificate; a fault of a device is, once it outlasts the pause. The devices hold their
+    /// instruments meanwhile (`DeviceGroup::hold`). The force has faded by then like in any stall.
+    /// Any thread.
     void set_paused(bool paused) noexcept;
     [[nodiscard]] bool finish_requested() const noexcept;
     [[nodiscard]] bool renders_force() const noexcept;  ///< One of the devices has motors.

@@ -188,7 +188,8 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
 
     const auto key = [](sim::Key k) { return static_cast<size_t>(k); };
     const bool there = present(now);
-    const bool allowed = now.focused && there;
+    const bool attended = now.focused && there;
+    const bool allowed = attended && !on_hold_;
     if (allowed) {
         next_hand(now.presses[key(sim::Key::kTab)] - before_.presses[key(sim::Key::kTab)]);
         WindowHand* scope = nullptr;
@@ -212,7 +213,10 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
     uint8_t pressed = static_cast<uint8_t>(buttons(now) | feet_.poll(t_ns));
     if (now.is_down(sim::Key::kCut)) pressed |= sim::kPedalCut;
     if (now.is_down(sim::Key::kCoag)) pressed |= sim::kPedalCoag;
-    const uint8_t held = own_press(pedals_.update(pressed, t_ns, allowed, hands_[active_].endless));
+    // A pedal that is down in a pause has to be pressed anew; jaws stay as they are.
+    const bool may_press = hands_[active_].energy ? allowed : attended;
+    const uint8_t held =
+        own_press(pedals_.update(pressed, t_ns, may_press, hands_[active_].endless));
     before_ = now;
 
     ++sequence_;
@@ -220,7 +224,8 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
         WindowHand& hand = hands_[i];
         follow(hand, dt);
         turn(hand, dt);
-        if (i == active_ && !hand.energy) move_jaw(hand, (held & sim::kPedalCut) != 0, dt);
+        if (i == active_ && !hand.energy && !on_hold_)
+            move_jaw(hand, (held & sim::kPedalCut) != 0, dt);
         DeviceState& out = states[i];
         out = {};
         out.sequence = sequence_;

@@ -57,6 +57,7 @@ class WindowHands : public DeviceGroup {
     /// A needle in the jaws is turned about its own axis, as a wrist would: one hand on a mouse
     /// cannot turn and carry at once.
     void turn_about(size_t tool, const Vec3& arm_m, const Vec3& axis) noexcept final;
+    void hold(bool paused) noexcept final { on_hold_ = paused; }
     void read(int64_t t_ns, std::span<DeviceState> states) noexcept final;
     void write(std::span<const DeviceCommand>) noexcept override {}
 
@@ -92,7 +93,7 @@ class WindowHands : public DeviceGroup {
     PedalGuard pedals_;
     int64_t last_ns_ = 0;
     uint64_t sequence_ = 0;
-    bool finished_ = false;
+    bool finished_ = false, on_hold_ = false;
 };
 
 }  // namespace placode::haptics

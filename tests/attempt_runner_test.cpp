@@ -204,6 +204,8 @@ TEST(AttemptRunner, TheClockStartsWithTheFirstMotionAndStandsInAPause) {
     runner.set_paused(true, sim::PauseCause::kHelp);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     runner.set_paused(false);
+    // A tick that still holds the hands would take the motion for one of the pause.
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
     input.mouse_x += 200;
     window.publish(input);
     until([&] { return runner.status().time_s > 0.1; });

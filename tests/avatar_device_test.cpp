@@ -64,6 +64,53 @@ TEST(Avatar, PutsTheInstrumentWhereAnglesAndDepthSay) {
     EXPECT_NEAR(session.states[0].roll_rad, 0.3, 1e-9);
 }
 
+// Its place is that of the instrument: it cannot be taken up elsewhere like other arms.
+TEST(Avatar, WaitsBehindAPauseForItsInstrumentToComeBack) {
+    AvatarPort port;
+    port.change([](auto& p) { p.answers[2] = angles(0.3, -0.1, 70, 0.2); });
+    const DeviceConfig what = config(port);
+    const RcmMap map(what.tools[0], default_trocars(what.tools, "avatar")[0]);
+    Session session(what);
+    const DeviceState& hand = session.states[0];
+    const auto stands_at = [&](double depth_m) {
+        return (hand.position_m - map.handle_m({0.2, -0.1, depth_m, 0.3})).norm() < 1e-9;
+    };
+    const auto heard = [&] {  // what was changed before, for certain
+        const int seen = port.lines;
+        return session.until([&] { return port.lines > seen + 4; }, Vec3(1, 1, 1));
+    };
+    ASSERT_TRUE(session.until([&] { return hand.engaged && stands_at(0.070); }));
+    session.device->hold(true);
+    session.tick();
+    port.change([](auto& p) { p.answers[2] = angles(1.0, -0.1, 90, 0.2); });
+    ASSERT_TRUE(heard());
+    EXPECT_TRUE(stands_at(0.070));
+    EXPECT_TRUE(hand.engaged) << "held, not let go";
+    session.device->hold(false);
+    ASSERT_TRUE(heard());
+    EXPECT_TRUE(stands_at(0.070)) << "20 mm away";
+    EXPECT_TRUE(hand.clutched);
+    EXPECT_EQ(port.forces()[2], 0);
+    port.change([](auto& p) { p.answers[2] = angles(1.0, -0.1, 71, 0.2); });
+    EXPECT_TRUE(session.until([&] { return !hand.clutched; }));
+    EXPECT_TRUE(stands_at(0.071)) << "met";
+    EXPECT_NEAR(hand.roll_rad, 0.3, 1e-9) << "turned on from what it had";
+    // Or it is drawn out, which lets go, and comes in anew.
+    session.device->hold(true);
+    session.tick();
+    port.change([](auto& p) { p.answers[2] = angles(0.3, -0.1, 90, 0.2); });
+    ASSERT_TRUE(heard());
+    session.device->hold(false);
+    ASSERT_TRUE(heard());
+    EXPECT_TRUE(hand.clutched);
+    port.change([](auto& p) { p.answers[28] = {0}; });
+    ASSERT_TRUE(session.until([&] { return !hand.engaged; }));
+    port.change([](auto& p) { p.answers[28] = {1}; });
+    EXPECT_TRUE(session.until([&] { return hand.engaged && stands_at(0.090); }));
+    EXPECT_FALSE(hand.clutched);
+    EXPECT_NEAR(hand.roll_rad, 0.3, 1e-9);
+}
+
 TEST(Avatar, SendsTorquesAndThrustByTheTranspose) {
     AvatarPort port;
     port.change([](auto& p) { p.answers[2] = angles(0, -0.1, 70, 0.2); });

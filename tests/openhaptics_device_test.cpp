@@ -438,6 +438,35 @@ TEST(OpenHaptics, ClosesJawsAndClutchesByItsButtons) {
     EXPECT_EQ(session.input(0).position_m, held) << "and taken up where it was";
 }
 
+// In a pause nobody sees the tool follow: whatever it held would be torn by the first frame after.
+TEST(OpenHaptics, HoldsItsToolInAPauseAndGoesOnFromThere) {
+    Session session;
+    session.begin(config());
+    hd().set_buttons(0, 1);
+    session.tick(200);
+    ASSERT_EQ(session.input(0).pedals, sim::kPedalCut);
+    const auto before = session.input(0).position_m;
+    session.servo->set_paused(true);
+    for (int i = 1; i <= 20; ++i) {
+        hd().place(0, i, 0, 0);
+        session.tick();
+        EXPECT_EQ(session.input(0).position_m, before) << i << " mm";
+    }
+    EXPECT_EQ(session.input(0).engaged, 1) << "held, not let go";
+    hd().set_buttons(0, 3);
+    session.tick(2);
+    hd().set_buttons(0, 1);
+    session.tick(2);
+    session.servo->set_paused(false);
+    session.tick();
+    EXPECT_EQ(session.input(0).position_m, before);
+    EXPECT_EQ(session.input(0).pedals, 0) << "to be pressed anew";
+    hd().place(0, 21, 0, 0);
+    session.tick();
+    EXPECT_NE(session.input(0).position_m, before) << "the same instrument, and it follows";
+    EXPECT_STREQ(hd().violation(), "");
+}
+
 TEST(OpenHaptics, AllocatesNothingInItsTick) {
     Session session;
     session.begin(config(true));

@@ -14,10 +14,11 @@ using ::testing::HasSubstr;
 using Daemon = test::SpaceDaemon;
 
 struct Session {
-    explicit Session(Daemon& daemon) {
+    explicit Session(Daemon& daemon, sim::ToolKind kind = sim::ToolKind::kNeedle) {
         DeviceConfig config;
         config.name = "spacemouse";
         config.tools.resize(1);
+        config.tools[0].kind = kind;
         config.station.set("spacemouse.socket", daemon.path);
         device = open_device(config);
         daemon.accept_client();
@@ -76,6 +77,47 @@ TEST(SpaceMouse, StandsStillWithoutEventsAndInTheDeadZone) {
         << "the daemon never sent the zero";
     daemon.event(0, {14, -15, 3, 0, 0, 0, 10});
     EXPECT_LT((session.read(200).position_m - rest).norm(), 1e-5);
+}
+
+TEST(SpaceMouse, StandsStillInAPauseWhateverIsPushed) {
+    Daemon daemon;
+    Session session(daemon);
+    for (int i = 0; i < 30; ++i) {
+        daemon.event(0, {350, 0, 0, 0, 0, 0, 10});
+        session.read(10);
+    }
+    const Vec3 before = session.states[0].position_m;
+    EXPECT_GT(before.x(), 0.005);
+    session.device->hold(true);
+    daemon.event(1, {0, 0, 0, 0, 0, 0, 0});
+    for (int i = 0; i < 30; ++i) {
+        daemon.event(0, {350, 0, 0, 0, 350, 0, 10});
+        EXPECT_EQ(session.read(10).position_m, before);
+        EXPECT_EQ(session.states[0].roll_rad, 0);
+        EXPECT_EQ(session.states[0].pedals, 0);
+    }
+    daemon.event(0, {0, 0, 0, 0, 0, 0, 10});
+    session.read(1);
+    session.device->hold(false);
+    EXPECT_EQ(session.read(20).position_m, before) << "nothing is made up for";
+    EXPECT_EQ(session.states[0].pedals, 0) << "to be pressed anew";
+    daemon.event(0, {350, 0, 0, 0, 0, 0, 10});
+    EXPECT_GT(session.read(50).position_m.x(), before.x());
+}
+
+TEST(SpaceMouse, KeepsItsJawsAsTheyAreThroughAPause) {
+    Daemon daemon;
+    Session session(daemon, sim::ToolKind::kScissors);
+    const double open = session.read(500).jaw_rad;
+    daemon.event(1, {0, 0, 0, 0, 0, 0, 0});
+    const double closed = session.read(1000).jaw_rad;
+    EXPECT_LT(closed, open);
+    session.device->hold(true);
+    EXPECT_EQ(session.read(300).jaw_rad, closed);
+    session.device->hold(false);
+    EXPECT_EQ(session.read(300).jaw_rad, closed) << "the button is still held";
+    daemon.event(2, {0, 0, 0, 0, 0, 0, 0});
+    EXPECT_EQ(session.read(1000).jaw_rad, open);
 }
 
 TEST(SpaceMouse, DrainsItsQueue) {
