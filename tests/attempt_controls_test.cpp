@@ -373,6 +373,28 @@ TEST(AttemptControls, ALostFocusPausesHandsOfTheWindowOnceTheyHaveBegun) {
     }
 }
 
+TEST(AttemptControls, AMinimisedWindowPausesEveryDeviceOnceItHasBegun) {
+    for (const bool window_hands : {true, false}) {
+        ControlsSetup setup;
+        setup.window_hands = window_hands;
+        Bench bench(setup);
+        bench.attempt_s = 0;
+        bench.step({{.kind = Kind::kHidden}});
+        EXPECT_FALSE(bench.controls.paused());
+        bench.attempt_s = 5;
+        bench.step({button(0)});
+        bench.step({{.kind = Kind::kFocus, .down = false}, {.kind = Kind::kHidden}});
+        EXPECT_TRUE(bench.controls.paused()) << window_hands;
+        EXPECT_EQ(bench.controls.pause_cause(), sim::PauseCause::kFocus);
+        EXPECT_EQ(bench.controls.screen(), Screen::kMenu);
+        EXPECT_FALSE(bench.controls.for_devices().left);
+        bench.step({{.kind = Kind::kFocus, .down = true}});
+        EXPECT_TRUE(bench.controls.paused()) << "until somebody chooses to go on";
+        bench.tap(Key::kEscape);
+        EXPECT_FALSE(bench.controls.paused());
+    }
+}
+
 TEST(AttemptControls, AClickBetweenTwoPicturesIsSeenByTheHand) {
     Bench bench;
     bench.step({button(0), button(0, false)});

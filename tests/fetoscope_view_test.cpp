@@ -145,6 +145,12 @@ TEST_F(FetoscopeViewTest, ShowsSmokeOfVaporisedTissue) {
     EXPECT_GT(difference(clear, draw(f.snapshot, quiet())), 3.0);
 }
 
+// A picture that nobody could see counts for no rate of pictures.
+TEST_F(FetoscopeViewTest, SaysWhetherThereWasAPictureToDraw) {
+    EXPECT_FALSE(view_->draw({}, quiet()));
+    EXPECT_TRUE(view_->draw(small_field().snapshot, quiet()));
+}
+
 TEST_F(FetoscopeViewTest, WritesAPngThatReadsBackTheSame) {
     const Picture p = draw(small_field().snapshot, quiet());
     const auto path = std::filesystem::temp_directory_path() /

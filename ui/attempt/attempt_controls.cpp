@@ -84,14 +84,7 @@ void AttemptControls::take(const WindowEvent& event) {
         if (screen_ != Screen::kQuestion) ask(Question::kClose, PauseCause::kClosing);
         return;
     }
-    if (event.kind == Kind::kFocus) {
-        if (event.down) return;
-        held_since_s_.reset();
-        hands_off();
-        if (setup_.window_hands && screen_ == Screen::kOperate && attempt_s_ > 0)
-            open_menu("Paused: another window is in front", PauseCause::kFocus);
-        return;
-    }
+    if (event.kind == Kind::kFocus || event.kind == Kind::kHidden) return out_of_sight(event);
     switch (screen_) {
         case Screen::kOperate:
             if (!panel_takes(event)) operate(event);
@@ -114,6 +107,19 @@ void AttemptControls::take(const WindowEvent& event) {
             menu_key(event);
             break;
     }
+}
+
+/// Hands on a mouse stand still while another window is in front; an arm goes on. Nobody operates
+/// in a window that is minimised: whatever the device, there is no force and no clock.
+void AttemptControls::out_of_sight(const WindowEvent& event) {
+    if (event.kind == Kind::kFocus && event.down) return;
+    held_since_s_.reset();
+    hands_off();
+    if (screen_ != Screen::kOperate || attempt_s_ <= 0) return;
+    if (event.kind == Kind::kHidden)
+        open_menu("Paused", PauseCause::kFocus);
+    else if (setup_.window_hands)
+        open_menu("Paused: another window is in front", PauseCause::kFocus);
 }
 
 /// F2 and what belongs to the panel. True when nothing else shall see the event.

@@ -102,6 +102,7 @@ class AttemptControls {
     void hover(const Pointer& pointer);
     void publish(const sim::WindowInput& totals, bool operating);
     void hands_off();
+    void out_of_sight(const view::WindowEvent& event);
     [[nodiscard]] bool too_short() const;  ///< For the study's protocol.
     [[nodiscard]] bool early() const;      ///< Less than a quarter of its usual time.
     [[nodiscard]] std::string say(const std::string& english) const;

@@ -216,8 +216,7 @@ class WindowSession {
         const bool noted = notice_until_ > Clock::now();
         overlay_.notice = noted ? notice_ : status.warning;
         tend_lens();
-        view_.draw(snapshot, overlay_);
-        runner_.picture_drawn();
+        if (view_.draw(snapshot, overlay_)) runner_.picture_drawn();
         if (snapshot.x.empty()) return;
         if (shots_.due(snapshot.time_s)) shots_.save(view_, snapshot.time_s);
         if (screenshot_asked_) extra_screenshot(snapshot.time_s);

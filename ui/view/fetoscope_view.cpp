@@ -219,10 +219,10 @@ FetoscopeView::~FetoscopeView() {
 
 void FetoscopeView::let_go() noexcept { impl_->context->let_go(); }
 
-void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) {
+bool FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) {
     Impl& s = *impl_;
     const int width = s.context->width(), height = s.context->height();
-    if (width < 16 || height < 16 || snapshot.x.empty()) return;  // minimised, or nothing yet
+    if (width < 16 || height < 16 || snapshot.x.empty()) return false;
     s.context->make_current();
     const auto start = Clock::now();
     s.camera = camera_of(snapshot, s.tools);
@@ -272,6 +272,7 @@ void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) 
     glFinish();  // the time of this picture, not of the queue
     s.adapt(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     s.context->swap();
+    return true;
 }
 
 void FetoscopeView::observe(const Snapshot& snapshot) { impl_->observe(snapshot); }

@@ -36,8 +36,9 @@ class FetoscopeView {
     FetoscopeView(const ViewField& field, const ViewSettings& settings);
     ~FetoscopeView();
 
-    /// Draws one picture and shows it.
-    void draw(const sim::Snapshot& snapshot, const OverlayState& overlay);
+    /// Draws one picture and shows it. False when there was none to draw: the window is minimised,
+    /// or nothing is in the snapshot yet.
+    bool draw(const sim::Snapshot& snapshot, const OverlayState& overlay);
     /// Lets smoke and haze go on between pictures, without drawing.
     void observe(const sim::Snapshot& snapshot);
     /// Wipes the lens; takes a second of simulated time.

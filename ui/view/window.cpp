@@ -207,6 +207,9 @@ class GlfwWindow final : public GlContext {
         glfwSetWindowSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w).on_place(); });
         glfwSetWindowFocusCallback(
             window_, [](GLFWwindow* w, int focused) { self(w).on_focus(focused == GLFW_TRUE); });
+        glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int iconified) {
+            if (iconified == GLFW_TRUE) self(w).happened({.kind = WindowEvent::Kind::kHidden});
+        });
     }
     ~GlfwWindow() override {
         glfwDestroyWindow(window_);

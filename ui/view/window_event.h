@@ -19,6 +19,7 @@ struct WindowEvent {
         kLetter,  ///< `letter` was typed; 8 = backspace.
         kStart,   ///< The gamepad's Start button went down.
         kFocus,   ///< The window got the focus (down) or lost it.
+        kHidden,  ///< The window was minimised.
         kClose    ///< Somebody wants to close the window.
     };
     Kind kind = Kind::kKey;
