@@ -137,7 +137,9 @@ void ArmHands::fill(Arm& arm, const ArmSample& sample, uint8_t pedals, double dt
         const bool energy = energy_tool(tools_[i]);
         if (n != arm.turn) {
             // Waits outside where it shares the port; stands still, as it was, where it does not.
+            // The hand is elsewhere: its force begins by a ramp when it comes back.
             out.engaged = !handle.shares_port;
+            out.clutched = true;
             out.jaw_rad = energy ? 0 : handle.jaw_rad;
             continue;
         }

@@ -438,6 +438,27 @@ TEST(OpenHaptics, ClosesJawsAndClutchesByItsButtons) {
     EXPECT_EQ(session.input(0).position_m, held) << "and taken up where it was";
 }
 
+// The waiting instrument stands in tissue that pushes it: whoever takes it up gets that by a ramp.
+TEST(OpenHaptics, BeginsTheForceOfAnotherInstrumentByARamp) {
+    Session session;
+    session.begin(config());
+    session.tools[1].proxy.p = session.home[1] + Vec3(0, 0, 0.0015);
+    session.tick(600);
+    EXPECT_EQ(session.input(1).engaged, 1) << "it waits in its own port";
+    hd().set_buttons(0, 2);
+    session.tick(2);
+    hd().set_buttons(0, 0);
+    double before = Session::force(0).norm();
+    for (int i = 0; i < 600; ++i) {
+        session.tick();
+        const double now = Session::force(0).norm();
+        EXPECT_LE(now - before, 0.05) << i << " ms";
+        before = now;
+    }
+    EXPECT_GT(before, 0.1) << "and it is felt";
+    EXPECT_STREQ(hd().violation(), "");
+}
+
 // In a pause nobody sees the tool follow: whatever it held would be torn by the first frame after.
 TEST(OpenHaptics, HoldsItsToolInAPauseAndGoesOnFromThere) {
     Session session;
