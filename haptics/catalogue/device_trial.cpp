@@ -50,6 +50,7 @@ class WatchedGroup final : public DeviceGroup {
     }
     [[nodiscard]] bool lock_step() const noexcept override { return inner_->lock_step(); }
     [[nodiscard]] int64_t now_ns() const noexcept override { return inner_->now_ns(); }
+    void hold(bool held) noexcept override { inner_->hold(held); }
     [[nodiscard]] std::string last_error() const override { return inner_->last_error(); }
     void stop() noexcept override { inner_->stop(); }
     void ask() noexcept { ask_.store(true, std::memory_order_relaxed); }
