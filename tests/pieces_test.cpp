@@ -34,6 +34,24 @@ struct Field : test::CutField {
             run(from + static_cast<double>(i) / frames * (to - from), jaw, 1);
         }
     }
+    /// Grasps what lies at `touch` and draws it out of the field.
+    void draw_out(const Vec3& touch) {
+        const Vec3 away(0, 0, 0.010), out(0, 0, 0.040);
+        move(away, touch, 0.6);
+        const double closed = 0.5 * grip_angle(scene.tools[0]);
+        for (double jaw = 0.6; jaw > closed; jaw -= 0.01) run(touch, jaw, 1);
+        run(touch, closed, 50);
+        move(touch, out, closed);
+        run(out, closed, 100);
+    }
+    /// Rest volume of placode that the ledger says is lost.
+    [[nodiscard]] double placode_lost() const {
+        double sum = 0;
+        for (const Event& e : events)
+            if (e.kind == EventKind::kTorn && e.tissue == Tissue::kPlacode)
+                sum += static_cast<double>(e.value);
+        return sum;
+    }
     [[nodiscard]] int count(EventKind kind) const {
         int n = 0;
         for (const Event& e : events) n += e.kind == kind ? 1 : 0;
@@ -151,6 +169,55 @@ Scene lesion() {
         scene.field.depth_m.push_back(static_cast<float>(-x.z()));
     }
     return scene;
+}
+
+/// Each half is a piece: the one that stays in the field has not been taken out with the other.
+TEST(Pieces, APieceThatIsCutInTwoIsTwo) {
+    Field field(test::box_scene(block()));
+    // 6 x 3 mm: jaws at 2 mm hold nothing of the half at x < 0.
+    const auto wide = [](const Vec3& p) {
+        return std::abs(p.x()) < 0.003 && std::abs(p.y()) < 0.0015 && p.z() > -0.001;
+    };
+    const auto far_half = [&](const Vec3& p) { return wide(p) && p.x() < 0; };
+    field.cut_out(wide);
+    field.run(Vec3(0, 0, 0.010), 0.6, 200);
+    ASSERT_EQ(field.count(EventKind::kPieceFree), 1);
+    const double whole = field.state.pieces.list[0].volume_m3, lay = field.height(far_half);
+    field.cut_out(far_half);
+    field.run(Vec3(0, 0, 0.010), 0.6, 200);
+    ASSERT_EQ(field.count(EventKind::kPieceFree), 2);
+    EXPECT_NEAR(field.height(far_half), lay, 5e-5) << "it lies where it lay";
+    field.draw_out(Vec3(0.002, 0, 0.0001));
+    ASSERT_EQ(field.count(EventKind::kPieceOut), 1);
+    EXPECT_NEAR(field.state.pieces.out_m3, whole / 2, whole / 5);
+    EXPECT_NEAR(field.height(far_half), lay, 2e-4);
+    for (int t = 0; t < field.scene.body.tet_count(); ++t) {
+        const bool out =
+            wide(rest_centroid(field.scene, t)) && !far_half(rest_centroid(field.scene, t));
+        EXPECT_EQ(field.state.body.tet_alive[static_cast<size_t>(t)] == 0, out);
+    }
+}
+
+/// Cut off with scissors and carried to the port, nothing of it had torn or burned.
+TEST(Pieces, PlacodeThatLeavesWithAPieceIsLost) {
+    Field field(lesion());
+    field.cut_out(in_patch);
+    field.run(Vec3(0, 0, 0.010), 0.6, 200);
+    ASSERT_EQ(field.count(EventKind::kPieceFree), 1);
+    EXPECT_EQ(field.placode_lost(), 0) << "it lies where it was";
+    const double volume = field.state.pieces.list[0].volume_m3;
+    field.draw_out(Vec3(0, 0, 0.0001));
+    ASSERT_EQ(field.count(EventKind::kPieceOut), 1);
+    EXPECT_NEAR(field.placode_lost(), volume, 1e-6 * volume);
+}
+
+TEST(Pieces, PlacodeThatIsWashedAwayIsLost) {
+    Field field(lesion());
+    const auto crumb = [](const Vec3& p) { return p.head<2>().norm() < 0.0004 && p.z() > -0.0005; };
+    field.cut_out(crumb);
+    field.run(Vec3(0, 0, 0.02), 0.6, 200);
+    ASSERT_GE(field.count(EventKind::kCrumb), 1);
+    EXPECT_GT(field.placode_lost(), 0);
 }
 
 TEST(Pieces, TheReleaseIsDecidedByConnectivitySectorBySector) {

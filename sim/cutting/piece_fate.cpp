@@ -76,9 +76,26 @@ void draw_out(const Scene& scene, State& state, int piece) noexcept {
         add_event(state, taken_out_event(scene, state));
     }
     add_event(state, e);
+    note_lost_placode(scene, state, piece);
 }
 
 }  // namespace
+
+void note_lost_placode(const Scene& scene, State& state, int piece) noexcept {
+    const std::vector<Tissue>& tissue = scene.body.mesh().tissue;
+    int32_t first = -1;
+    double volume = 0;
+    for_tets_of_piece(scene, state, piece, [&](int32_t t) {
+        if (tissue[t] != Tissue::kPlacode) return;
+        if (first < 0) first = t;
+        volume += static_cast<double>(scene.body.volume_m3()[t]);
+    });
+    if (first < 0) return;
+    Event e = tissue_event(scene, state, EventKind::kTorn, first);
+    e.value = static_cast<float>(volume);
+    e.tool = state.pieces.list[piece].held_by;
+    add_event(state, e);
+}
 
 void stick_piece(const Scene& scene, State& state, int piece, bool resting) noexcept {
     Piece& p = state.pieces.list[piece];

@@ -18,12 +18,22 @@ namespace placode::sim {
 namespace {
 
 constexpr int kFloodPerFrame = 2500;
+constexpr int8_t kParted = -2;          // of a piece that was cut: belongs to none for a moment
 constexpr double kCrumb = 0.3e-9;       // smaller pieces are washed away [m^3]
 constexpr double kSunkenWall = 0.0005;  // thickness of a sac's wall that lies on the floor [m]
 
-/// Gathers a piece from one of its tets and decides what becomes of it.
+/// Whether a part of a piece lies where the piece did: its vertices are still held there.
+bool rests(const Scene& scene, const State& state, int32_t tet) noexcept {
+    for (const int32_t v : corners(scene.body, state.body, tet))
+        if (state.pieces.resting[static_cast<size_t>(v)] == 0) return false;
+    return true;
+}
+
+/// Gathers a piece from one of its tets and decides what becomes of it. What has come loose sticks
+/// where it is; a part of a piece that was loose before goes on resting or falling.
 void found(const Scene& scene, State& state, int32_t seed) noexcept {
     Pieces& pieces = state.pieces;
+    const bool part = pieces.of[seed] == kParted;
     int slot = 0;
     while (slot < kMostPieces && pieces.list[slot].tets > 0) ++slot;
     if (slot == kMostPieces) return;  // found again by the next flood
@@ -46,18 +56,52 @@ void found(const Scene& scene, State& state, int32_t seed) noexcept {
             });
     }
     p.held_by = static_cast<int8_t>(holder_of_piece(scene, state, slot));
+    p.resting = part && rests(scene, state, seed) ? 1 : 0;
     if (p.volume_m3 < kCrumb && p.held_by < 0) {
         p.leaving = kWashedAway;
         ++pieces.crumbs;
         add_event(state, piece_event(scene, state, EventKind::kCrumb, p));
+        note_lost_placode(scene, state, slot);
         return;
     }
     add_event(state, piece_event(scene, state, EventKind::kPieceFree, p));
-    if (p.held_by < 0) stick_piece(scene, state, slot, true);
+    if (p.held_by < 0 && !part) stick_piece(scene, state, slot, true);
 }
 
-/// A piece was cut in two: its parts are found anew.
-void forget_parted(const Scene& scene, State& state) noexcept {
+/// What of a piece no longer hangs together with its first tet is a piece of its own: it loses its
+/// number, and found() gives it another.
+void part_pieces(const Scene& scene, State& state) noexcept {
+    PieceSearch& search = state.scratch->pieces;
+    std::vector<int32_t>& stack = state.scratch->sector_stack;
+    for (int i = 0; i < kMostPieces; ++i) {
+        if (state.pieces.list[i].tets == 0 || state.pieces.list[i].leaving) continue;
+        const uint32_t stamp = ++search.sector_stamp;
+        auto& seen = search.sector_seen;
+        int32_t top = 0;
+        bool begun = false;
+        for_tets_of_piece(scene, state, i, [&](int32_t t) {
+            if (begun && seen[t] != stamp) {
+                state.pieces.of[t] = kParted;
+                return;
+            }
+            if (begun) return;
+            begun = true;
+            seen[t] = stamp;
+            stack[top++] = t;
+            while (top > 0)
+                for_linked(
+                    scene, state, stack[--top],
+                    [&](int32_t other) noexcept { return seen[other] == stamp; },
+                    [&](int32_t other) noexcept {
+                        seen[other] = stamp;
+                        stack[top++] = other;
+                    });
+        });
+    }
+}
+
+/// How many tets each piece has now: some of it may have burned or become another.
+void count_again(const Scene& scene, State& state) noexcept {
     Pieces& pieces = state.pieces;
     for (int i = 0; i < kMostPieces; ++i) {
         Piece& p = pieces.list[i];
@@ -120,13 +164,14 @@ void flood_from_bed(const Scene& scene, State& state) noexcept {
     if (flood.top > 0) return;
     flood.running = 0;
     bool any = false;
+    part_pieces(scene, state);
     for (int32_t t = 0; t < scene.body.tet_count(); ++t) {
         if (!state.body.tet_alive[t] || flood.reached[t] == flood.stamp) continue;
         if (pieces.of[t] >= 0) continue;
         found(scene, state, t);
         any = true;
     }
-    forget_parted(scene, state);
+    count_again(scene, state);
     if (any) update_free_vertices(scene.body, state.body);
 }
 
