@@ -4,6 +4,7 @@
 // and nobody opens the store's files.
 
 #include <gmock/gmock.h>
+#include <grp.h>
 #include <pwd.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -71,8 +72,9 @@ class SharedStation : public testing::Test {
         fs::remove_all(folder_, ignored);
     }
     static std::string as(const std::string& user) { return "cd / && runuser -u " + user + " -- "; }
-    [[nodiscard]] Ended set_up(const std::string& people) const {
-        return run(std::string(PLACODE_SOURCE_DIR) +
+    [[nodiscard]] Ended set_up(const std::string& people,
+                               const std::string& environment = "") const {
+        return run(environment + " " + PLACODE_SOURCE_DIR +
                    "/packaging/shared-station --owner games --socket " + folder_ +
                    " --placodectl " + PLACODE_BIN_DIR + "/placodectl " + people);
     }
@@ -133,6 +135,23 @@ TEST_F(SharedStation, PeopleComeInByWhoTheyAreAndOpenNoFile) {
     EXPECT_NE(run(as("nobody") + "cat " + folder_ + "/data/PG_VERSION").code, 0);
     EXPECT_EQ(run(as("postgres") + "cat " + folder_ + "/data/PG_VERSION").said, "15\n")
         << "or this proves nothing";
+}
+
+TEST_F(SharedStation, MakesTheOwnerAlsoWhereAGroupHasThatName) {
+    // The package brings the group placode and no user. Debian has a group like that: users.
+    if (::getgrnam("users") == nullptr || ::getpwnam("users") != nullptr)
+        GTEST_SKIP() << "users is not a group alone";
+    // No account is added here: the stand-in says what it was asked for, and fails.
+    const std::string stand_in = folder_ + "/useradd";
+    std::ofstream(stand_in) << "#!/bin/sh\necho \"useradd $*\"\nexit 9\n";
+    fs::permissions(stand_in, fs::perms(0755));
+    const std::string environment = "PATH=" + folder_ + ":\"$PATH\"";
+    const Ended with_group = set_up("--owner users", environment);
+    EXPECT_EQ(with_group.code, 9);
+    EXPECT_THAT(with_group.said, HasSubstr("useradd --system --gid users --no-create-home"));
+    const Ended without = set_up("--owner placode-nosuch", environment);
+    EXPECT_EQ(without.code, 9);
+    EXPECT_THAT(without.said, HasSubstr("useradd --system --user-group --no-create-home"));
 }
 
 TEST_F(SharedStation, RefusesWhatItCannotKeep) {
