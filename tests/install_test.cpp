@@ -163,6 +163,15 @@ TEST_F(Install, TheDailyBackupIsCheckedAndOldOnesGo) {
     const Outcome people = run(
         "placodectl", "--store sqlite:" + file("data/placode/backups/") + kept[2] + " user list");
     EXPECT_THAT(people.out, HasSubstr("anna"));
+    // A number that keeps no copy: nothing is done.
+    const auto before = backups();
+    for (const char* number : {"0", "-1", "all", "010"}) {
+        const Outcome refused = backup(std::string("PLACODE_BACKUPS_KEPT=") + number);
+        EXPECT_EQ(refused.status, 2) << number;
+        EXPECT_THAT(refused.err, HasSubstr("PLACODE_BACKUPS_KEPT: found \"" + std::string(number) +
+                                           "\"; expected a whole number from 1"));
+    }
+    EXPECT_EQ(backups(), before);
     // A store that is broken takes no good copy with it.
     write_text(file("data/placode/placode.db"), "this was a store");
     EXPECT_NE(backup("PLACODE_BACKUPS_KEPT=1").status, 0);
