@@ -362,6 +362,25 @@ TEST(Architecture, ThePageOfDependenciesNamesEveryPackage) {
     }
 }
 
+TEST(Architecture, NoPageSaysToTypeWhatTakesOtherThingsAway) {
+    // `crontab -` replaces all jobs, and `>` empties a file before the program reads it.
+    const std::regex jobs(R"(\| *crontab -( |$))"),
+        settings(R"(--station-file *> *\S*station\.conf)");
+    size_t pages = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(root() / "docs")) {
+        if (entry.path().extension() != ".md") continue;
+        ++pages;
+        std::ifstream in(entry.path());
+        for (std::string line; std::getline(in, line);) {
+            const bool keeps_jobs = line.find("crontab -l") != std::string::npos;
+            EXPECT_TRUE(keeps_jobs || !std::regex_search(line, jobs))
+                << entry.path() << ": " << line;
+            EXPECT_FALSE(std::regex_search(line, settings)) << entry.path() << ": " << line;
+        }
+    }
+    EXPECT_GT(pages, 100U);
+}
+
 TEST(Architecture, NoCatchAllFolders) {
     for (const auto& entry : fs::recursive_directory_iterator(root())) {
         const std::string name = entry.path().filename().string();
