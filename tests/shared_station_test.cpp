@@ -137,6 +137,30 @@ TEST_F(SharedStation, PeopleComeInByWhoTheyAreAndOpenNoFile) {
         << "or this proves nothing";
 }
 
+TEST_F(SharedStation, ACopyComesBackInTheOrderOfTheManual) {
+    ASSERT_EQ(set_up("nobody").code, 0);
+    ASSERT_EQ(sql("games",
+                  "INSERT INTO accounts (password_hash, roles, active, demonstration, created_utc) "
+                  "VALUES ('', 8, 1, 0, '')")
+                  .code,
+              0);
+    const std::string socket = " -h " + folder_ + " ", dump = folder_ + "/copy.dump";
+    for (const std::string& step :
+         {"pg_dump" + socket + "-Fc -f " + dump + " placode",
+          "psql -XAtq" + socket +
+              "-d postgres -c 'ALTER DATABASE placode RENAME TO placode_before'",
+          "createdb" + socket + "--owner games placode",
+          "pg_restore" + socket + "--exit-on-error --dbname placode " + dump}) {
+        const Ended done = run(as("postgres") + step);
+        ASSERT_EQ(done.code, 0) << step << ": " << done.said;
+    }
+    const Ended again = set_up("nobody");
+    ASSERT_EQ(again.code, 0) << again.said;
+    EXPECT_EQ(sql("games", "SELECT COUNT(*) FROM accounts").said, "1\n");
+    EXPECT_EQ(sql("nobody", "SELECT COUNT(*) FROM attempts").said, "0\n");
+    EXPECT_NE(sql("nobody", "DELETE FROM audit").code, 0);
+}
+
 TEST_F(SharedStation, MakesTheOwnerAlsoWhereAGroupHasThatName) {
     // The package brings the group placode and no user. Debian has a group like that: users.
     if (::getgrnam("users") == nullptr || ::getpwnam("users") != nullptr)
