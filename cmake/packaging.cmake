@@ -76,7 +76,8 @@ a reason for every point that was lost.")
 set(CPACK_DEBIAN_APPLICATION_PACKAGE_DEPENDS
   "libqt6sql6-sqlite, libqt6svg6, qt6-qpa-plugins, libgl1-mesa-dri, libxcb-cursor0, qt6-translations-l10n, fonts-dejavu-core")
 set(CPACK_DEBIAN_APPLICATION_PACKAGE_RECOMMENDS "libqt6sql6-psql, fonts-noto-core, spacenavd, ca-certificates")
-set(CPACK_DEBIAN_APPLICATION_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/postinst)
+set(CPACK_DEBIAN_APPLICATION_PACKAGE_CONTROL_EXTRA
+  ${PROJECT_SOURCE_DIR}/packaging/postinst ${PROJECT_SOURCE_DIR}/packaging/prerm)
 
 # --- for researchers: the tasks as environments for their programs ---------------------------------
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libplacode1)

@@ -124,6 +124,29 @@ TEST_F(Install, TheDesktopFindsItsFiles) {
     EXPECT_THAT(help.out, HasSubstr("sudo /usr/lib/placode/shared-station LOGIN"));
 }
 
+TEST_F(Install, RemovalSwitchesTheServersTimersOff) {
+    fs::create_directories(file("stand_in"));
+    write_text(file("stand_in/systemctl"), "#!/bin/sh\necho \"$*\"\n");
+    fs::permissions(file("stand_in/systemctl"), fs::perms(0755));
+    const auto prerm = [&](const std::string& words) {
+        const Outcome done = shell("'" PLACODE_SOURCE_DIR "/packaging/prerm' " + words,
+                                   "PATH='" + file("stand_in") + "':\"$PATH\"");
+        EXPECT_EQ(done.status, 0) << done.err;
+        return done.out;
+    };
+    EXPECT_EQ(prerm("upgrade 0.2.0"), "");
+    const std::string said = prerm("remove");
+    int timers = 0;
+    for (const auto& entry : fs::directory_iterator(there("lib/systemd/system"))) {
+        if (entry.path().extension() != ".timer") continue;
+        ++timers;
+        EXPECT_THAT(said, HasSubstr("disable --now " + entry.path().filename().string()));
+    }
+    EXPECT_EQ(timers, 2);
+    EXPECT_THAT(read_text(PLACODE_SOURCE_DIR "/cmake/packaging.cmake"),
+                HasSubstr("${PROJECT_SOURCE_DIR}/packaging/prerm"));
+}
+
 TEST_F(Install, CompletionAsksTheProgram) {
     const auto complete = [&](const std::string& words) {
         // As bash does: the words so far, the last one unfinished.
