@@ -11,8 +11,10 @@ install(DIRECTORY docs/manual DESTINATION ${CMAKE_INSTALL_DATADIR}/placode)
 install(FILES packaging/org.placode.Placode.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES packaging/org.placode.Placode.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
 install(FILES ui/shell/icons/placode.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
-install(FILES packaging/completion.bash RENAME placodectl
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+foreach(program placode placode-sim placodectl placode-web) # bash-completion looks for the name of the command
+  install(FILES packaging/completion.bash RENAME ${program}
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+endforeach()
 install(PROGRAMS packaging/scheduled-backup packaging/scheduled-verify packaging/shared-station
         DESTINATION lib/placode)
 install(FILES packaging/placode-backup.service packaging/placode-backup.timer DESTINATION lib/systemd/user)

@@ -149,9 +149,10 @@ TEST_F(Install, RemovalSwitchesTheServersTimersOff) {
 
 TEST_F(Install, CompletionAsksTheProgram) {
     const auto complete = [&](const std::string& words) {
-        // As bash does: the words so far, the last one unfinished.
+        // As bash does: the file of the command's name; the words so far, the last one unfinished.
+        const std::string command = words.substr(0, words.find(' '));
         write_text(file("ask.sh"), "export PATH='" + there("bin") + "':$PATH\nsource '" +
-                                       there("share/bash-completion/completions/placodectl") +
+                                       there("share/bash-completion/completions/" + command) +
                                        "'\nCOMP_WORDS=(" + words +
                                        ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_placode\n"
                                        "echo \"${COMPREPLY[@]}\"\n");
@@ -161,6 +162,8 @@ TEST_F(Install, CompletionAsksTheProgram) {
     EXPECT_THAT(complete("placodectl study re"), HasSubstr("repeat"));
     EXPECT_THAT(complete("placodectl study re"), Not(HasSubstr("restore")));
     EXPECT_EQ(complete("placode-sim --head"), "--headless\n");
+    EXPECT_EQ(complete("placode-web --lis"), "--listen\n");
+    EXPECT_EQ(complete("placode --vers"), "--version\n");
 }
 
 TEST_F(Install, TheDailyBackupIsCheckedAndOldOnesGo) {
