@@ -22,7 +22,10 @@ install(FILES packaging/placode-server-backup.service packaging/placode-server-b
               packaging/placode-server-verify.service packaging/placode-server-verify.timer
         DESTINATION lib/systemd/system)
 install(PROGRAMS examples/check_seal.py DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode/examples)
-install(FILES README.md CHANGELOG.md docs/web.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode)
+# What programs and manual point to, as it lies here, so that links from one page to the next lead there.
+install(FILES README.md CHANGELOG.md SECURITY.md RELIABILITY.md packaging/copyright
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode PATTERN manual EXCLUDE)
 # Where they work: only a package for the whole system has them.
 install(FILES packaging/70-placode.rules DESTINATION lib/udev/rules.d)
 

@@ -7,6 +7,8 @@
 
 #include <gmock/gmock.h>
 
+#include <regex>
+
 #include "tests/programs_fixture.h"
 
 using namespace placode::test;
@@ -122,6 +124,25 @@ TEST_F(Install, TheDesktopFindsItsFiles) {
     const Outcome help = shell("'" + there("lib/placode/shared-station") + "' --help");
     EXPECT_EQ(help.status, 0) << help.err;
     EXPECT_THAT(help.out, HasSubstr("sudo /usr/lib/placode/shared-station LOGIN"));
+}
+
+TEST_F(Install, DocumentsThatProgramsAndManualNameAreThere) {
+    for (const char* path :
+         {"README.md", "SECURITY.md", "RELIABILITY.md", "docs/measurements/speed.md"})
+        EXPECT_TRUE(fs::exists(there(std::string("share/doc/placode/") + path))) << path;
+    EXPECT_FALSE(fs::exists(there("share/doc/placode/docs/manual"))) << "that is elsewhere";
+    const std::regex named(R"(/usr/(share/doc/placode/[A-Za-z_./-]*[A-Za-z]))");
+    int seen = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(there("share/placode/manual"))) {
+        if (entry.path().extension() != ".md") continue;
+        const std::string text = read_text(entry.path().string());
+        for (std::sregex_iterator each(text.begin(), text.end(), named), end; each != end; ++each) {
+            ++seen;
+            EXPECT_TRUE(fs::exists(there((*each)[1]))) << entry.path() << ": " << (*each)[1];
+        }
+        EXPECT_THAT(text, Not(HasSubstr("`docs/"))) << entry.path() << ": no place of a package";
+    }
+    EXPECT_GE(seen, 4);
 }
 
 TEST_F(Install, RemovalSwitchesTheServersTimersOff) {
