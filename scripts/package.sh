@@ -16,5 +16,8 @@ rm -rf "$out"
 mkdir -p "$out"
 (cd build/release && cpack -B "$out" >cpack.log 2>&1) || { tail -n 10 build/release/cpack.log; exit 1; }
 rm -rf "$out/_CPack_Packages"
+# As the manual says where it is. A prefix for all generators would put usr/ before it.
+cmake -E tar tf "$out"/*.tar.zst | grep '^[^/]*/bin/placode$' >/dev/null ||
+  { echo "scripts/package.sh: the archive has no bin/placode in its folder"; exit 1; }
 lintian --fail-on error,warning --tag-display-limit 0 "$out"/*.deb
 ls -l "$out"
