@@ -30,6 +30,7 @@ class ShellAwayTest : public QObject {
     void twoProgramsSaveItOnce();
     void anotherServerGetsNothing();
     void whatWasChangedIsOfferedAndNotSaved();
+    void aServerThatWasGivenIsFoundAtTheNextStart();
 
  private:
     /// Anna operates and stops while the server is away.
@@ -252,6 +253,30 @@ void ShellAwayTest::whatWasChangedIsOfferedAndNotSaved() {
     }
     QCOMPARE(saved(), before);
     QCOMPARE(files().size(), 3);
+}
+
+// As `placode --store postgresql://...` once, and from the menu ever after.
+void ShellAwayTest::aServerThatWasGivenIsFoundAtTheNextStart() {
+    ShellHarness& shell = *shell_;
+    const auto kept = [&] { return shell.context().settings().value("chosen_store").toString(); };
+    shell.server = server_->station_url(database_) + "?timeout_ms=9000";
+    shell.start();
+    QVERIFY(shell.arrives(PageId::kLogin));
+    const QString address = QString::fromStdString(shell.server)
+                                .remove(":" + QString::fromStdString(server_->password()));
+    QCOMPARE(kept(), address);  // Its options, and no password.
+    qputenv("PGPASSWORD", QByteArray::fromStdString(server_->password()));
+    shell.server.clear();
+    shell.without_store = true;
+    shell.start();
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QCOMPARE(QString::fromStdString(shell.context().storeUrl()), address);
+    // A file that is given is opened this once.
+    shell.without_store = false;
+    shell.start();
+    QVERIFY(shell.arrives(PageId::kSetup));
+    QCOMPARE(kept(), address);
+    qunsetenv("PGPASSWORD");
 }
 
 }  // namespace placode::ui

@@ -8,6 +8,7 @@
 #include "ui/shell/app_context.h"
 #include "ui/shell/dialog_frame.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/store_address.h"
 
 namespace placode::ui {
 namespace {
@@ -15,6 +16,15 @@ namespace {
 constexpr const char* kChosenStore = "chosen_store";
 constexpr const char* kKnown = "known";
 constexpr qint64 kAskAgainMs = 1000;
+
+/// The address with all its options, as the settings may keep it: they are a file.
+QString without_password(const std::string& address) {
+    QString all = qstr(address);
+    if (!has_password(all)) return all;
+    const QString server = all.section('?', 0, 0);
+    return QUrl(server).toString(QUrl::RemovePassword | QUrl::FullyEncoded) +
+           all.mid(server.size());
+}
 
 }  // namespace
 
@@ -45,6 +55,7 @@ std::string AppContext::urlWithPassword() {
 bool AppContext::openStore(const db::StoreOptions& options) {
     store_.reset();
     store_missing_ = false;
+    const QString asked = without_password(store_url_);
     const bool tried = guard(tr("Opening the store"), [&] {
         try {
             const std::string url = urlWithPassword();
@@ -59,7 +70,11 @@ bool AppContext::openStore(const db::StoreOptions& options) {
             if (!store_missing_) throw;
         }
     });
-    return tried && store_ != nullptr;
+    if (!tried || store_ == nullptr) return false;
+    // However the server was named: a start from the menu must not open another store without a
+    // word. A file given with --store is for this once.
+    if (!storeIsFile()) settings_->setValue(kChosenStore, asked);
+    return true;
 }
 
 bool AppContext::openStore() {
@@ -111,7 +126,6 @@ bool AppContext::chooseServer(const QString& address) {
         (void)openStore();
         return false;
     }
-    settings_->setValue(kChosenStore, address);
     return true;
 }
 
