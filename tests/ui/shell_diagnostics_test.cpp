@@ -25,8 +25,13 @@ class ShellDiagnosticsTest : public QObject {
     void aCrashIsSaidOnceWithAWayToItsReport();
     void theLogIsReadSavedAndHoldsNoNames();
     void theDailyBackupIsSwitchedFromThePage();
+    void theDailyBackupIsOnOnlyForTheStoreThatItCopies();
 
  private:
+    /// Puts a systemctl of the test's own first, which remembers in a file that is returned, and
+    /// enables only what was read again before.
+    [[nodiscard]] QString putSystemctl() const;
+    [[nodiscard]] static bool opensHealth(ShellHarness& shell, const char* daily_says);
     /// What the dialog does while it is open; it is closed behind it.
     void whileOpen(const std::function<void(QDialog&)>& look);
     std::unique_ptr<ShellHarness> shell_;
@@ -111,23 +116,30 @@ void ShellDiagnosticsTest::theLogIsReadSavedAndHoldsNoNames() {
         QVERIFY2(!text.contains(name), name);
 }
 
-// A systemctl of the test's own, which remembers in a file.
-void ShellDiagnosticsTest::theDailyBackupIsSwitchedFromThePage() {
-    ShellHarness& shell = *shell_;
-    QVERIFY(shell.signIn("ada", "correct horse"));
-    const QString on = shell.path("timer_on"), folder = shell.path("bin");
-    QVERIFY(QDir().mkpath(folder));
+QString ShellDiagnosticsTest::putSystemctl() const {
+    const QString on = shell_->path("timer_on"), folder = shell_->path("bin");
+    QDir().mkpath(folder);
     QFile fake(folder + "/systemctl");
-    QVERIFY(fake.open(QIODevice::WriteOnly));
+    if (!fake.open(QIODevice::WriteOnly)) return {};
     fake.write(QString("#!/bin/sh\n[ \"$1\" = --user ] || exit 9\ncase \"$2\" in\n"
                        "is-enabled) [ -e %1 ] && echo enabled && exit 0; echo disabled; exit 1;;\n"
-                       "enable) touch %1;;\ndisable) rm %1;;\nesac\n")
+                       "daemon-reload) touch %1.read;;\n"
+                       "enable) [ -e %1.read ] && touch %1;;\ndisable) rm %1 %1.read;;\nesac\n")
                    .arg(on)
                    .toUtf8());
     fake.close();
     fake.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    qputenv("PATH", folder.toLocal8Bit() + ":" + qgetenv("PATH"));
+    qputenv("XDG_CONFIG_HOME", shell_->path("config").toLocal8Bit());
+    return on;
+}
+
+void ShellDiagnosticsTest::theDailyBackupIsSwitchedFromThePage() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("ada", "correct horse"));
     const QByteArray path = qgetenv("PATH");
-    qputenv("PATH", folder.toLocal8Bit() + ":" + path);
+    const QString on = putSystemctl();
+    QVERIFY(!on.isEmpty());
     qputenv("PLACODE_BACKUP_FOLDER", shell.path("copies").toLocal8Bit());
     QVERIFY(QDir().mkpath(shell.path("copies")));
     const auto says = [&](const char* words) {
@@ -163,6 +175,46 @@ void ShellDiagnosticsTest::theDailyBackupIsSwitchedFromThePage() {
     QVERIFY(says("cannot be switched here"));
     QVERIFY(!shell.find<QPushButton>("daily_switch")->isVisible());
     qputenv("PATH", path);
+    qunsetenv("XDG_CONFIG_HOME");
+}
+
+bool ShellDiagnosticsTest::opensHealth(ShellHarness& shell, const char* daily_says) {
+    shell.window().open({PageId::kHealth, 0, {}, {}});
+    return shell.arrives(PageId::kHealth) &&
+           QTest::qWaitFor([&] { return shell.text("daily_state").contains(daily_says); }, 20000);
+}
+
+// It said that it was on for every file, and copied the one in the usual place.
+void ShellDiagnosticsTest::theDailyBackupIsOnOnlyForTheStoreThatItCopies() {
+    ShellHarness& shell = *shell_;
+    const QByteArray path = qgetenv("PATH"), data = qgetenv("XDG_DATA_HOME");
+    const QString on = putSystemctl();
+    QVERIFY(QFile(on).open(QFile::WriteOnly));
+    const QString drop_in = shell.path("config/systemd/user/placode-backup.service.d/store.conf");
+    QFile::remove(drop_in);
+    QVERIFY(shell.signIn("ada", "correct horse"));
+    QVERIFY(opensHealth(shell, "It copies another store"));
+    QVERIFY(shell.click("daily_switch"));
+    QVERIFY(QTest::qWaitFor([&] { return shell.text("daily_state") == "✓ It is on."; }, 20000));
+    QFile written(drop_in);
+    QVERIFY(written.open(QFile::ReadOnly));
+    const QByteArray text = written.readAll();
+    QVERIFY2(text.contains("\n[Service]\nEnvironment=\"PLACODE_STORE=sqlite:" +
+                           shell.path("placode.db").toUtf8() + "\"\n"),
+             text.constData());
+    // The store in the usual place: the service finds it by itself.
+    QVERIFY(QDir().mkpath(shell.path("placode")));
+    qputenv("XDG_DATA_HOME", QFileInfo(shell.path("placode")).path().toLocal8Bit());
+    shell.start("placode/placode.db");
+    QVERIFY(shell.setUpWithDemonstration());
+    QVERIFY(shell.signIn("ada", "correct horse"));
+    QVERIFY(opensHealth(shell, "It copies another store"));
+    QVERIFY(shell.click("daily_switch"));
+    QVERIFY(QTest::qWaitFor([&] { return shell.text("daily_state") == "✓ It is on."; }, 20000));
+    QVERIFY(!QFile::exists(drop_in));
+    qputenv("PATH", path);
+    qunsetenv("XDG_CONFIG_HOME");
+    data.isNull() ? qunsetenv("XDG_DATA_HOME") : qputenv("XDG_DATA_HOME", data);
 }
 
 }  // namespace placode::ui

@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QDir>
 #include <QProcess>
+#include <QSaveFile>
 #include <QStandardPaths>
 
 #include "ui/shell/details.h"
@@ -18,16 +19,57 @@ constexpr int kPatienceMs = 15000;  // systemd answers within milliseconds, or h
 
 /// As packaging/scheduled-backup has it.
 QString backup_folder() {
-    const QString chosen = qEnvironmentVariable("PLACODE_BACKUP_FOLDER");
+    QString chosen = qEnvironmentVariable("PLACODE_BACKUP_FOLDER");
     if (!chosen.isEmpty()) return chosen;
     return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
            "/placode/backups";
 }
 
+/// What tells placode-backup.service which store it copies, where that is not the usual one.
+QString drop_in_path() {
+    return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) +
+           "/systemd/user/placode-backup.service.d/store.conf";
+}
+
+QString clean_file(const std::string& store_url) {
+    return QDir::cleanPath(QFileInfo(qstr(store_url).mid(7)).absoluteFilePath());
+}
+
+/// The drop-in for this store; empty for the one that the service copies by itself.
+QByteArray drop_in_for(const std::string& store_url) {
+    QString file = clean_file(store_url);
+    if (file == clean_file(db::default_store_url())) return {};
+    // What systemd would read otherwise within quotes: systemd.syntax(7), and % of systemd.unit(5).
+    file.replace("\\", "\\\\").replace("\"", "\\\"").replace("\n", "\\n").replace("%", "%%");
+    return "# Written by Placode, page Health: the store that is copied every day.\n[Service]\n"
+           "Environment=\"PLACODE_STORE=sqlite:" +
+           file.toUtf8() + "\"\n";
+}
+
+QByteArray drop_in_now() {
+    QFile file(drop_in_path());
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// What went wrong; empty = it is there, or gone where `text` is empty.
+QString keep_drop_in(const QByteArray& text) {
+    const QString path = drop_in_path();
+    if (text.isEmpty()) {
+        QFile old(path);
+        return !old.exists() || old.remove() ? QString() : path + ": " + old.errorString();
+    }
+    QDir().mkpath(QFileInfo(path).path());
+    QSaveFile file(path);
+    const bool kept =
+        file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
+    return kept ? QString() : path + ": " + file.errorString();
+}
+
 class DailyBackupCard : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(DailyBackupCard)
  public:
-    explicit DailyBackupCard(AppContext& context) : context_(context) {
+    explicit DailyBackupCard(AppContext& context)
+        : context_(context), drop_in_(drop_in_for(context.store().url())) {
         setProperty("role", "card");
         auto* layout = new QVBoxLayout(this);
         layout->setContentsMargins(kSpace24, kSpace16, kSpace24, kSpace24);
@@ -95,9 +137,13 @@ class DailyBackupCard : public QFrame {
         });
     }
 
-    void showState(bool on, bool possible, const QString& said) {
+    /// @param runs the timer, for whichever store.
+    void showState(bool runs, bool possible, const QString& said) {
+        const bool on = runs && drop_in_now() == drop_in_;
         on_ = on;
-        state_->setText(on         ? tr("✓ It is on.")
+        state_->setText(on     ? tr("✓ It is on.")
+                        : runs ? tr("It copies another store of this user, not this one. Switch "
+                                    "it on here to copy this one instead.")
                         : possible ? tr("It is off.")
                                    : tr("It cannot be switched here: Placode was not installed as "
                                         "a package, or this computer runs no systemd for users."));
@@ -110,18 +156,31 @@ class DailyBackupCard : public QFrame {
     }
 
     void turn() {
-        const QString verb = on_ ? "disable" : "enable";
+        if (on_) return change("disable");
+        const QString problem = keep_drop_in(drop_in_);
+        if (!problem.isEmpty()) return reportFailure(problem);
+        systemctl({"daemon-reload"}, [this](int status, const QString& said) {
+            if (status == 0) return change("enable");
+            reportFailure("systemctl --user daemon-reload: " + said);
+            ask();
+        });
+    }
+
+    void change(const QString& verb) {
         systemctl({verb, "--now", kTimer}, [this, verb](int status, const QString& said) {
             if (status != 0)
-                context_.report({tr("The daily backup could not be switched."),
-                                 tr("Ask whoever looks after this computer."),
-                                 "systemctl --user " + verb + " --now " + kTimer + ": " + said});
+                reportFailure("systemctl --user " + verb + " --now " + kTimer + ": " + said);
             if (status == 0)
                 context_.guard(tr("Writing the audit"), [&] {
                     context_.audit(on_ ? "backup.daily.off" : "backup.daily.on", kTimer);
                 });
             ask();
         });
+    }
+
+    void reportFailure(const QString& exact) {
+        context_.report({tr("The daily backup could not be switched."),
+                         tr("Ask whoever looks after this computer."), exact});
     }
 
     void showNewest() {
@@ -140,6 +199,7 @@ class DailyBackupCard : public QFrame {
     }
 
     AppContext& context_;
+    const QByteArray drop_in_;  ///< What makes the service copy the store that is open.
     QLabel *state_ = nullptr, *newest_ = nullptr;
     Details* exact_ = nullptr;
     QPushButton* switch_ = nullptr;

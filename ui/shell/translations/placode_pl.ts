@@ -2117,6 +2117,10 @@
         <translation>✓ Włączona.</translation>
     </message>
     <message>
+        <source>It copies another store of this user, not this one. Switch it on here to copy this one instead.</source>
+        <translation>Kopiowana jest inna baza tego użytkownika, a nie ta. Włącz kopię tutaj, aby zamiast tamtej kopiować tę.</translation>
+    </message>
+    <message>
         <source>It is off.</source>
         <translation>Wyłączona.</translation>
     </message>
