@@ -20,6 +20,7 @@ install(PROGRAMS packaging/scheduled-backup packaging/scheduled-verify packaging
 install(FILES packaging/placode-backup.service packaging/placode-backup.timer DESTINATION lib/systemd/user)
 install(FILES packaging/placode-server-backup.service packaging/placode-server-backup.timer
               packaging/placode-server-verify.service packaging/placode-server-verify.timer
+              packaging/placode-web.service
         DESTINATION lib/systemd/system)
 install(PROGRAMS examples/check_seal.py DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode/examples)
 # What programs and manual point to, as it lies here, so that links from one page to the next lead there.

@@ -22,6 +22,7 @@ anna() {
 step "list of Debian's packages" apt-get update -qq
 step "placode installed" apt-get install -y -qq --no-install-recommends ./placode_*.deb
 step "tools of this check" apt-get install -y -qq --no-install-recommends xvfb xauth xdotool imagemagick
+step "the portal has its user" id placode-web
 useradd -m anna
 for program in placode placode-sim placodectl placode-web; do su anna -c "$program --version" 2>/dev/null; done
 

@@ -12,6 +12,7 @@
 #include "tests/programs_fixture.h"
 
 using namespace placode::test;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -115,7 +116,8 @@ TEST_F(Install, TheDesktopFindsItsFiles) {
           "lib/systemd/system/placode-server-backup.timer",
           "lib/systemd/system/placode-server-backup.service",
           "lib/systemd/system/placode-server-verify.timer",
-          "lib/systemd/system/placode-server-verify.service"})
+          "lib/systemd/system/placode-server-verify.service",
+          "lib/systemd/system/placode-web.service"})
         EXPECT_TRUE(fs::exists(there(path))) << path;
     EXPECT_THAT(read_text(there("lib/systemd/user/placode-backup.service")),
                 HasSubstr("ExecStart=/usr/lib/placode/scheduled-backup"));
@@ -166,6 +168,32 @@ TEST_F(Install, RemovalSwitchesTheServersTimersOff) {
     EXPECT_EQ(timers, 2);
     EXPECT_THAT(read_text(PLACODE_SOURCE_DIR "/cmake/packaging.cmake"),
                 HasSubstr("${PROJECT_SOURCE_DIR}/packaging/prerm"));
+}
+
+TEST_F(Install, ThePackageMakesTheUserOfThePortal) {
+    const std::string unit = read_text(there("lib/systemd/system/placode-web.service"));
+    for (const char* line :
+         {"User=placode-web", "StateDirectory=placode-web", "RuntimeDirectory=placode",
+          "Environment=HOME=/var/lib/placode-web", "EnvironmentFile=-/etc/placode/web.conf"})
+        EXPECT_THAT(unit, HasSubstr(std::string("\n") + line + "\n"));
+    EXPECT_THAT(unit, HasSubstr("\nExecStart=/usr/bin/placode-web --store ${PLACODE_STORE} "
+                                "--listen unix:/run/placode/web.sock --behind-tls"));
+    // On a computer that has none of them: they write down what is asked of them.
+    fs::create_directories(file("fake"));
+    for (const char* program : {"getent", "groupadd", "useradd", "udevadm"}) {
+        const std::string fake = file(std::string("fake/") + program);
+        const bool looks = std::string(program) == "getent";
+        write_text(fake, std::string("#!/bin/sh\n") +
+                             (looks ? "exit 2\n" : "echo \"$(basename \"$0\") $*\"\n"));
+        fs::permissions(fake, fs::perms(0755));
+    }
+    const Outcome made = shell("sh '" PLACODE_SOURCE_DIR "/packaging/postinst' configure",
+                               "PATH='" + file("fake") + "':\"$PATH\"");
+    EXPECT_EQ(made.status, 0) << made.err;
+    EXPECT_THAT(made.out, HasSubstr("groupadd --system placode\n"));
+    EXPECT_THAT(made.out, HasSubstr("groupadd --system placode-web\n"));
+    EXPECT_THAT(made.out, ContainsRegex("useradd --system --gid placode-web .*--home-dir "
+                                        "/var/lib/placode-web .*nologin placode-web\n"));
 }
 
 TEST_F(Install, CompletionAsksTheProgram) {
