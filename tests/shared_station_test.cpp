@@ -179,11 +179,14 @@ TEST_F(SharedStation, MakesTheOwnerAlsoWhereAGroupHasThatName) {
 }
 
 TEST_F(SharedStation, RefusesWhatItCannotKeep) {
-    for (const auto& [people, reason] : {std::pair{"games", "owns the tables"},
-                                         {"postgres", "owns the tables"},
-                                         {"nosuchuser", "no user nosuchuser"},
-                                         {"'a; DROP'", "expected small letters"},
-                                         {"--databse x", "unknown option --databse"}}) {
+    for (const auto& [people, reason] :
+         {std::pair{"games", "owns the tables"},
+          {"postgres", "owns the tables"},
+          {"nosuchuser", "no user nosuchuser"},
+          {"'a; DROP'", "expected small letters"},
+          {"anna.k", "who trains needs such a login"},
+          {"--socket /nonexistent nobody", "start it: systemctl start postgresql"},
+          {"--databse x", "unknown option --databse"}}) {
         const Ended refused = set_up(people);
         EXPECT_EQ(refused.code, 2) << people;
         EXPECT_THAT(refused.said, HasSubstr(reason));
