@@ -154,7 +154,8 @@ void ShellConductTest::answerSus(int point) {
 
 void ShellConductTest::openData(const std::string& code) {
     overview();
-    shell_->window().open({PageId::kStudyData, 0, qstr(code), {{"study", kStudy}}});
+    shell_->window().open(
+        {PageId::kStudyData, 0, QString::fromStdString(code), {{"study", kStudy}}});
     QVERIFY(shell_->arrives(PageId::kStudyData));
 }
 
@@ -244,7 +245,7 @@ void ShellConductTest::withdrawalKeepsStopsOrErases() {
     if (QTest::currentTestFailed()) return;
     const auto* left = shell_->find<QLabel>("copies_left");
     QVERIFY(left != nullptr && left->text().contains(copy));
-    QVERIFY(left->text().contains(qstr(codes_[3])));
+    QVERIFY(left->text().contains(QString::fromStdString(codes_[3])));
     const auto all = store().studies().participants(kStudy);
     QCOMPARE(all.size(), size_t(4));  // A tombstone stays of everybody.
     QVERIFY(!all[0].withdrawal);
