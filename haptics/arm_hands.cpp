@@ -27,7 +27,7 @@ double nearest_turn(double angle, double to) noexcept {
 
 }  // namespace
 
-ArmHands::ArmHands(const DeviceConfig& config, std::vector<sim::Hand> hands)
+ArmHands::ArmHands(const DeviceConfig& config, const std::vector<sim::Hand>& hands)
     : tools_(config.tools), window_(config.window), feet_(config.station) {
     for (size_t i = 0; i < tools_.size(); ++i) {
         Handle handle;

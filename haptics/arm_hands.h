@@ -43,7 +43,7 @@ struct ArmForce {
 class ArmHands : public DeviceGroup {
  public:
     /// `hands`: which hand every arm stands for; one arm alone takes the tools of both in turn.
-    ArmHands(const DeviceConfig& config, std::vector<sim::Hand> hands);
+    ArmHands(const DeviceConfig& config, const std::vector<sim::Hand>& hands);
     void hold(bool paused) noexcept final { on_hold_ = paused; }
     void read(int64_t t_ns, std::span<DeviceState> states) noexcept final;
     void write(std::span<const DeviceCommand> commands) noexcept final;

@@ -135,7 +135,7 @@ void follow_piece(const Scene& scene, State& state, int piece) noexcept {
         take_away(scene, state, piece);
         return;
     }
-    const int before = p.held_by;
+    const bool was_held = p.held_by >= 0;
     p.held_by = static_cast<int8_t>(holder_of_piece(scene, state, piece));
     if (p.held_by >= 0) {
         if (p.resting) stick_piece(scene, state, piece, false);
@@ -143,7 +143,7 @@ void follow_piece(const Scene& scene, State& state, int piece) noexcept {
         const Vec3 tip = state.tools[p.held_by].proxy.p;
         if ((tip - pivot).norm() < kOutShare * pivot.norm()) draw_out(scene, state, piece);
     } else if (!p.resting) {
-        if (before >= 0) update_free_vertices(scene.body, state.body);
+        if (was_held) update_free_vertices(scene.body, state.body);
         const bool down = state.self_contact.enabled() ? lies_on_tissue(scene, state, piece)
                                                        : lies(scene, state, piece);
         if (down) stick_piece(scene, state, piece, true);

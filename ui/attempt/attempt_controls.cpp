@@ -10,7 +10,6 @@ namespace placode::ui {
 
 namespace {
 
-using curriculum::AttemptMode;
 using sim::EndReason;
 using sim::Key;
 using sim::PauseCause;
