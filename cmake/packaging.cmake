@@ -48,6 +48,7 @@ foreach(package libplacode1/library libplacode-dev/development python3-placode/p
   install(FILES packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
   install(FILES ${pages}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component} OPTIONAL)
 endforeach()
+install(FILES packaging/placode.overrides RENAME placode DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides)
 install(FILES packaging/libplacode1.overrides RENAME libplacode1
   DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT library)
 
