@@ -198,6 +198,7 @@ bool is_an_amount(sim::EventKind kind) {
         case kPaused:
         case kMachineSpeed:
         case kSlowSpell:
+        case kNoRoomToCut:
         case kTractionHeld:
         case kThreadDrawn:
         case kStretchSum:

@@ -43,6 +43,8 @@ const char* phrase_of(EventKind kind) {
             return "Placode heated";
         case EventKind::kPlacodeBurned:
             return "Placode burned";
+        case EventKind::kNoRoomToCut:
+            return "No more cuts in this scene";
         default:
             return nullptr;
     }

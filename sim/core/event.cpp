@@ -75,6 +75,8 @@ std::string_view event_name(EventKind kind) noexcept {
             return "machine_speed";
         case EventKind::kSlowSpell:
             return "slow_spell";
+        case EventKind::kNoRoomToCut:
+            return "no_room_to_cut";
         case EventKind::kPracticeSteps:
             return "practice_steps";
         case EventKind::kStepDone:

@@ -21,7 +21,9 @@ enum class EventKind : uint16_t {
     kDwell = 5,        ///< value = seconds of current on one spot
     kVaporised = 6,  ///< one tet removed by heat: value = rest volume [m^3], value2 = depth of its
                      ///< centroid below the rest surface [m]
-    kTorn = 7,       ///< one tet torn: value = rest volume [m^3], value2 = stretch
+    kTorn = 7,       ///< one tet torn: value = rest volume [m^3], value2 = stretch; or all
+                     ///< tissue of a kind that left with a loose piece though it was not to go
+                     ///< (sim/cutting/piece_fate.h): value = its volume, value2 = 0
     kPlacodeContact = 8,  ///< raised when contact ends: value = seconds, value2 = peak force [N]
     kPlacodeEnergised =
         9,  ///< energised contact with the placode: value = seconds, value2 = peak T [C]
@@ -58,6 +60,8 @@ enum class EventKind : uint16_t {
     kMachineSpeed = 33,  ///< once, at the end: value = simulated over wall-clock time, value2 =
                          ///< pictures a second (0 = nothing was drawn)
     kSlowSpell = 34,     ///< the computer fell behind: value = seconds, value2 = as kMachineSpeed
+    kNoRoomToCut = 35,   ///< blades met tissue that the scene has no spare vertices to part, so
+                         ///< that it was left whole: value = faces (raised with the end of a snip)
     // Practice (sim/core/practice.h).
     kPracticeSteps = 60,  ///< value = number of steps, at the start
     kStepDone = 61,       ///< value = step, value2 = seconds that it took

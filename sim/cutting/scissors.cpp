@@ -24,12 +24,6 @@ constexpr double kEdge = 1e-4;     // tissue this far beside the blades' edges i
 constexpr int kFacesPerFrame = 24;
 constexpr double kSlidPad = 4e-4;  // half of a long edge next to the planned incision [m]
 
-/// tan of half the opening without the library's last bit: angles stay below 0.8 rad.
-double half_tangent(double angle) noexcept {
-    const double a = angle / 2, a2 = a * a;
-    return a * (1 + a2 * (1.0 / 3 + a2 * (2.0 / 15 + a2 * 17.0 / 315)));
-}
-
 /// Of a tet, where the blades met it.
 Vec3 centroid_T(const Scene& scene, const State& state, const Scissors& s, int tet) noexcept {
     Vec3 sum = Vec3::Zero();
@@ -142,8 +136,19 @@ void note(const Scene& scene, const State& state, Scissors& s, int tet, int f) n
     ++s.faces;
 }
 
+/// Tissue that was left whole because the scene has no vertices left.
+void note_refused(State& state, int tool) noexcept {
+    Scissors& s = state.scissors[tool];
+    if (s.refused == 0) return;
+    Event e = tool_event(state, EventKind::kNoRoomToCut, tool);
+    e.value = static_cast<float>(s.refused);
+    add_event(state, e);
+    s.refused = 0;
+}
+
 void end_snip(State& state, int tool) noexcept {
     Scissors& s = state.scissors[tool];
+    note_refused(state, tool);
     if (s.faces > 0) {
         Event e;
         e.time_s = state.time_s;
@@ -182,9 +187,13 @@ void close(const Scene& scene, State& state, int tool, float jaw) noexcept {
         const int face = s.planned[s.next++].face, t = face / 4, f = face % 4;
         if (!state.body.tet_alive[t] || state.surface.on_surface(t, f)) continue;
         const int other = scene.surface.neighbours()[t][f];
-        if (!state.body.tet_alive[other] || !cut_face(scene, state, t, f)) continue;
-        note(scene, state, s, t, f);
-        ++cut;
+        if (!state.body.tet_alive[other]) continue;
+        if (cut_face(scene, state, t, f)) {
+            note(scene, state, s, t, f);
+            ++cut;
+        } else {
+            ++s.refused;  // it is not on the surface: there are no spare vertices
+        }
     }
     if (blades_in_cut(scene, state, tool)) state.tools[tool].contact_share = 0;
 }
@@ -200,14 +209,17 @@ void run_scissors(const Scene& scene, State& state) noexcept {
         if (std::isfinite(tool.jaw_rad)) {
             jaw = std::clamp(tool.jaw_rad, 0.0f, static_cast<float>(scene.tools[t].jaw_open_rad));
         }
+        // A hand or an encoder that gives way a little has not opened the blades again.
+        if (s.closing && jaw < s.jaw_rad + kBegin) jaw = std::min(jaw, s.jaw_rad);
         if (!tool.engaged) {
             end_snip(state, t);
             s.closing = s.sliding = 0;
             s.planned_count = s.next = 0;
+            s.start_rad = std::min(s.start_rad, jaw);  // what closed meanwhile has cut nothing
         } else if (jaw > s.jaw_rad) {
             if (s.closing) end_snip(state, t);
+            s.start_rad = s.closing ? jaw : std::max(s.start_rad, jaw);
             s.closing = s.sliding = 0;
-            s.start_rad = jaw;
         } else if (!s.closing && s.start_rad > kBladesOpen && jaw < s.start_rad - kBegin) {
             begin_snip(scene, state, t);
             close(scene, state, t, jaw);

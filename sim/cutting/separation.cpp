@@ -92,9 +92,17 @@ void queue_separation(const Scene&, State& state, int vertex) noexcept {
     queue.vertex[(queue.head + queue.count++) % size] = vertex;
 }
 
+bool has_room_to_cut(const State& state) noexcept {
+    return spares_left(state.body) >= state.separation.count + 3;
+}
+
 bool cut_face(const Scene& scene, State& state, int tet, int f) noexcept {
     assert(state.body.tet_alive[tet] != 0);
     if (!state.body.topology || state.surface.on_surface(tet, f)) return false;
+    if (!has_room_to_cut(state)) {
+        state.flags |= kCutRefused;
+        return false;
+    }
     state.surface.cut_face(scene.surface, scene.body.mesh(), tet, f, current_tets(state.body));
     const auto& c = corners(scene.body, state.body, tet);
     for (int k = 0; k < 4; ++k) {

@@ -21,8 +21,9 @@ struct Burial {
 
 /// How deep tool `t` is below the present surface: along its shaft, from the tip towards the hand,
 /// tissue has to be left again. A needle that is cutting makes its own way and is not buried, nor
-/// is a tip in a kerf, nor jaws that hold tissue; scissors count from their hinge, since what lies
-/// between blades is meant to be there. Exact zero below kBuriedM.
+/// is a tip in a kerf, nor jaws that hold tissue (a patch is none); scissors count from their
+/// hinge, since what lies between blades is meant to be there; but open blades count from their
+/// tips where they come out of placode. Exact zero below kBuriedM.
 [[nodiscard]] Burial burial_of(const Scene& scene, const State& state, int t) noexcept;
 
 }  // namespace placode::sim

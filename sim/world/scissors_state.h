@@ -34,7 +34,7 @@ void fields(Of<PlannedFace> auto& s, Visit&& visit) {
 struct Scissors {
     std::array<PlannedFace, kMostPlanned> planned{};
     int32_t planned_count = 0, next = 0;
-    float jaw_rad = 0;    ///< Opening in the last frame.
+    float jaw_rad = 0;    ///< Opening in the last frame; while they close, the least so far.
     float start_rad = 0;  ///< Opening from which they close.
     uint8_t closing = 0;
     uint8_t sliding = 0;  ///< Vertices still slide onto the plane: blade_slides.h.
@@ -48,14 +48,21 @@ struct Scissors {
     std::array<float, kTissueCount> area_of{};  ///< By tissue, where it was cut.
     Vec3 rest_sum = Vec3::Zero();
     int32_t faces = 0, tet = -1;
+    int32_t refused = 0;  ///< Faces that stayed whole for want of spare vertices.
 };
 template <class Visit>
 void fields(Of<Scissors> auto& s, Visit&& visit) {
     auto& [planned, planned_count, next, jaw_rad, start_rad, closing, sliding, slid_to_m, plane,
-           met_T, met_count, area_m2, placode_m2, depth_m, area_of, rest_sum, faces, tet] = s;
+           met_T, met_count, area_m2, placode_m2, depth_m, area_of, rest_sum, faces, tet, refused] = s;
     visit.state(planned, planned_count, next, jaw_rad, start_rad, closing, sliding, slid_to_m,
                 plane, met_T, met_count, area_m2, placode_m2, depth_m, area_of, rest_sum, faces,
-                tet);
+                tet, refused);
+}
+
+/// tan of half an opening without the library's last bit: angles stay below 0.8 rad.
+[[nodiscard]] inline double half_tangent(double angle) noexcept {
+    const double a = angle / 2, a2 = a * a;
+    return a * (1 + a2 * (1.0 / 3 + a2 * (2.0 / 15 + a2 * 17.0 / 315)));
 }
 
 /// Where blades met a vertex when they began to close, in T.

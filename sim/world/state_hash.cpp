@@ -107,10 +107,10 @@ void hash_grasp(Hash& hash, const Grasp& grasp) noexcept {
 void hash_scissors(Hash& hash, const Scissors& blades) noexcept {
     const auto& [planned, planned_count, next, jaw_rad, start_rad, closing, sliding, slid_to_m,
                  plane, met_T, met_count, area_m2, placode_m2, depth_m, area_of, rest_sum, faces,
-                 tet] = blades;
+                 tet, refused] = blades;
     hash.each(jaw_rad, start_rad, next, closing);
     hash.without(planned, planned_count, sliding, slid_to_m, plane, met_T, met_count, area_m2,
-                 placode_m2, depth_m, area_of, rest_sum, faces, tet);
+                 placode_m2, depth_m, area_of, rest_sum, faces, tet, refused);
 }
 
 void hash_suturing(Hash& hash, const Suturing& suturing) noexcept {
@@ -206,11 +206,12 @@ void hash_progress(Hash& hash, const ReleaseProgress& release, const Pieces& loo
                  marked_lost_m3, line_checked, line_cut_count, line_next, cut_count);
 }
 
-/// Friction of the vertices in contact.
+/// Friction of the vertices in contact, in their order; scratch has it as well, but may be
+/// forgotten.
 void hash_friction(Hash& hash, const std::vector<FrictionAnchor>& friction,
-                   const ContactSet& contacts) noexcept {
-    for (int i = 0; i < contacts.vertex_count; ++i) {
-        const auto& [anchor_T, tool, slipping] = friction[contacts.vertices[i].vertex];
+                   const ContactColour& colour) noexcept {
+    for (int i = 0; i < colour.count; ++i) {
+        const auto& [anchor_T, tool, slipping] = friction[colour.vertex[i]];
         hash.each(tool, slipping, anchor_T);
     }
 }
@@ -251,7 +252,7 @@ uint64_t state_hash(const State& state) noexcept {
     hash.all(stretch_reported);
     hash.all(dose_reported);
     hash.add(over_stretch_pause_s);
-    hash_friction(hash, friction, scratch->contacts);
+    hash_friction(hash, friction, colour);
     hash.each(placode_peak_cem43_min, placode_peak_c, placode_burned_m3, removed_m3,
               vapour_rate_m3_s, overheat_pause_s, burn_pause_s, idle_s);
     hash.without(time_s, slides, slides_refused, held_by, colour, separation, flood, gone_by_heat,

@@ -160,6 +160,7 @@ namespace {
     QT_TRANSLATE_NOOP("Attempt", "Thread torn out"),
     QT_TRANSLATE_NOOP("Attempt", "Tissue crushed"),
     QT_TRANSLATE_NOOP("Attempt", "Pulled too hard"),
+    QT_TRANSLATE_NOOP("Attempt", "No more cuts in this scene"),
     QT_TRANSLATE_NOOP("Attempt", "Placode cut"),
     QT_TRANSLATE_NOOP("Attempt", "Too close to the placode"),
     QT_TRANSLATE_NOOP("Attempt", "Energy out of view"),

@@ -13837,6 +13837,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Za mocne pociąganie</translation>
     </message>
     <message>
+        <source>No more cuts in this scene</source>
+        <translation>Nie da się już ciąć w tej scenie</translation>
+    </message>
+    <message>
         <source>Placode cut</source>
         <translation>Płytka nacięta</translation>
     </message>
