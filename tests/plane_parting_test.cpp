@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/cutting/cutting.h"
 #include "sim/step/step.h"
 #include "tests/undermine_pad.h"
 
@@ -118,6 +119,27 @@ TEST(PlaneParting, WhatWasPartedIsCountedFromTheEdge) {
     EXPECT_EQ(state.pieces.out, 0);
     EXPECT_EQ(state.pieces.crumbs, 0);
     EXPECT_EQ(state.flags, 0U);
+}
+
+TEST(PlaneParting, WhatIsTornAwayFreesNothing) {
+    const DissectionPlane& plane = pad().plane;
+    for (const bool above : {true, false}) {
+        State state(pad(), 1);
+        for (const DissectionPlane::Face& face : plane.faces) {
+            const auto tet = static_cast<size_t>(face.above[0]);
+            take_out(pad(), state,
+                     above ? face.above[0]
+                           : pad().surface.neighbours()[tet][static_cast<size_t>(face.face)]);
+        }
+        for (const int side : {1, -1}) {
+            const UnderminedArea area = undermined_area(pad(), state, side);
+            EXPECT_GT(area.wanted_m2, 5e-5);
+            EXPECT_EQ(area.freed_m2, 0);
+            EXPECT_GT(area.beyond_m2, 0) << "what is torn too far away is harm all the same";
+            EXPECT_EQ(undermined_m2(pad(), state, side), 0);
+        }
+        EXPECT_EQ(undermined_m(pad(), state, 10), 0);
+    }
 }
 
 TEST(PlaneParting, AFieldWithoutAWayThereIsRefused) {

@@ -80,6 +80,16 @@ bool is_parted(const Scene& scene, const State& state, int face) noexcept {
            state.surface.on_surface(f.above[0], f.face);
 }
 
+bool is_freed(const Scene& scene, const State& state, int face) noexcept {
+    const DissectionPlane::Face& f = scene.plane.faces[as_index(face)];
+    const auto lives = [&](int32_t t) noexcept {
+        return t >= 0 && state.body.tet_alive[as_index(t)] != 0;
+    };
+    const int32_t below = scene.surface.neighbours()[as_index(f.above[0])][as_index(f.face)];
+    return state.surface.on_surface(f.above[0], f.face) && lives(below) &&
+           std::all_of(f.above.begin(), f.above.end(), lives);
+}
+
 void part_plane(const Scene& scene, State& state) noexcept {
     const std::vector<DissectionPlane::Face>& faces = scene.plane.faces;
     if (faces.empty()) return;
@@ -98,7 +108,7 @@ void part_plane(const Scene& scene, State& state) noexcept {
 double undermined_m(const Scene& scene, const State& state, int ray) noexcept {
     double reach = 0;
     for (const DissectionPlane::Stretch& s : scene.plane.rays[as_index(ray)].stretches) {
-        if (!is_parted(scene, state, s.face)) break;
+        if (!is_freed(scene, state, s.face)) break;
         reach = static_cast<double>(s.until_m);
     }
     return reach;
@@ -108,7 +118,7 @@ double undermined_m2(const Scene& scene, const State& state, int side) noexcept 
     double area = 0;
     for (size_t i = 0; i < scene.plane.faces.size(); ++i) {
         const DissectionPlane::Face& face = scene.plane.faces[i];
-        if (face.side == side && is_parted(scene, state, static_cast<int>(i)))
+        if (face.side == side && is_freed(scene, state, static_cast<int>(i)))
             area += static_cast<double>(face.area_m2);
     }
     return area;
@@ -120,10 +130,10 @@ UnderminedArea undermined_area(const Scene& scene, const State& state, int side)
         const DissectionPlane::Face& face = scene.plane.faces[i];
         if (face.side != side || !(face.wanted || face.beyond)) continue;
         const auto area = static_cast<double>(face.area_m2);
-        const bool parted = is_parted(scene, state, static_cast<int>(i));
+        const int number = static_cast<int>(i);
         if (face.wanted) sum.wanted_m2 += area;
-        if (face.wanted && parted) sum.freed_m2 += area;
-        if (face.beyond && parted) sum.beyond_m2 += area;
+        if (face.wanted && is_freed(scene, state, number)) sum.freed_m2 += area;
+        if (face.beyond && is_parted(scene, state, number)) sum.beyond_m2 += area;
     }
     return sum;
 }

@@ -28,18 +28,22 @@ void part_plane(const Scene& scene, State& state) noexcept;
 /// The tissue above a face of the plane has come off, or is gone.
 [[nodiscard]] bool is_parted(const Scene& scene, const State& state, int face) noexcept;
 
+/// The tissue above a face has come off the tissue below it, and both are there: what was torn away
+/// frees nothing.
+[[nodiscard]] bool is_freed(const Scene& scene, const State& state, int face) noexcept;
+
 /// How far skin is undermined from a slit's edge, along a ray of the plane [m]: up to the first
-/// face that holds.
+/// face that holds or is torn away.
 [[nodiscard]] double undermined_m(const Scene& scene, const State& state, int ray) noexcept;
 
-/// Parted area on one side of the slit (1 = left, -1 = right), at rest [m^2].
+/// Freed area on one side of the slit (1 = left, -1 = right), at rest [m^2].
 [[nodiscard]] double undermined_m2(const Scene& scene, const State& state, int side) noexcept;
 
 /// Areas on one side of the slit, at rest [m^2].
 struct UnderminedArea {
     double wanted_m2 = 0;  ///< To be freed,
     double freed_m2 = 0;   ///< and of that free.
-    double beyond_m2 = 0;  ///< Free farther from the edges than skin may be freed.
+    double beyond_m2 = 0;  ///< Parted farther from the edges than skin may be freed.
 };
 [[nodiscard]] UnderminedArea undermined_area(const Scene& scene, const State& state,
                                              int side) noexcept;
