@@ -109,6 +109,23 @@ TEST(Grasp, ClosingJawsTakeWhatLiesBetweenThemAndOpeningLetsGo) {
     EXPECT_LT(worst, 2e-5);
 }
 
+TEST(Grasp, JawsThatBeginWithNoNumberOrBelowShutHoldAndLetGoLikeOthers) {
+    for (const float first : {NAN, -0.01F}) {
+        Jaws jaws(options_for());
+        jaws.go(kTouch, 0.6, 50);
+        // Shut in a device that is not engaged: the first engaged frame begins the grasp.
+        jaws.state.grasps[0].shut = 0;
+        jaws.state.grasps[0].jaw_rad = 0;
+        ToolInput input = upright(Vec3(0, 0, kTouch));
+        input.jaw_rad = first;
+        frame(jaws.scene, jaws.state, input, jaws.feedback);
+        EXPECT_TRUE(std::isfinite(jaws.held().meet_rad));
+        EXPECT_GE(jaws.held().meet_rad, 0);
+        jaws.go(kTouch, 0.6, 50);
+        EXPECT_EQ(jaws.held().count, 0);
+    }
+}
+
 TEST(Grasp, TheForceOnTheJawsIsWhatTheBedCarries) {
     Jaws jaws(options_for());
     jaws.grasp(0.6);

@@ -14,6 +14,7 @@
 
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/separation.h"
+#include "sim/solver/topology.h"
 #include "tests/cut_field.h"
 
 namespace placode::sim {
@@ -44,14 +45,15 @@ struct Field : test::CutField {
         move(touch, out, closed);
         run(out, closed, 100);
     }
-    /// Rest volume of placode that the ledger says is lost.
-    [[nodiscard]] double placode_lost() const {
+    /// Rest volume of a tissue that the ledger says is lost [m^3].
+    [[nodiscard]] double lost(Tissue tissue) const {
         double sum = 0;
         for (const Event& e : events)
-            if (e.kind == EventKind::kTorn && e.tissue == Tissue::kPlacode)
+            if (e.kind == EventKind::kTorn && e.tissue == tissue)
                 sum += static_cast<double>(e.value);
         return sum;
     }
+    [[nodiscard]] double placode_lost() const { return lost(Tissue::kPlacode); }
     [[nodiscard]] int count(EventKind kind) const {
         int n = 0;
         for (const Event& e : events) n += e.kind == kind ? 1 : 0;
@@ -198,6 +200,29 @@ TEST(Pieces, APieceThatIsCutInTwoIsTwo) {
     }
 }
 
+/// What lies still is held vertex by vertex: a copy that a cut makes is held, and let go, as well.
+TEST(Pieces, APartOfAPieceThatLiesStillCanBeTakenAway) {
+    Field field(test::box_scene(block()));
+    const auto wide = [](const Vec3& p) {
+        return std::abs(p.x()) < 0.003 && std::abs(p.y()) < 0.0015 && p.z() > -0.001;
+    };
+    field.cut_out(wide);
+    field.run(Vec3(0, 0, 0.010), 0.6, 200);
+    ASSERT_EQ(field.count(EventKind::kPieceFree), 1);
+    const int whole = field.state.body.topology->vertices;
+    field.cut_out([&](const Vec3& p) { return wide(p) && p.x() < 0; });
+    field.run(Vec3(0, 0, 0.010), 0.6, 200);
+    ASSERT_EQ(field.count(EventKind::kPieceFree), 2);
+    ASSERT_GT(field.state.body.topology->vertices, whole);
+    for (int v = whole; v < field.state.body.topology->vertices; ++v)
+        EXPECT_EQ(field.state.pieces.resting[static_cast<size_t>(v)], 1) << v;
+    for (const Piece& piece : field.state.pieces.list) {
+        if (piece.tets > 0) {
+            EXPECT_EQ(piece.resting, 1);
+        }
+    }
+}
+
 /// Cut off with scissors and carried to the port, nothing of it had torn or burned.
 TEST(Pieces, PlacodeThatLeavesWithAPieceIsLost) {
     Field field(lesion());
@@ -218,6 +243,24 @@ TEST(Pieces, PlacodeThatIsWashedAwayIsLost) {
     field.run(Vec3(0, 0, 0.02), 0.6, 200);
     ASSERT_GE(field.count(EventKind::kCrumb), 1);
     EXPECT_GT(field.placode_lost(), 0);
+}
+
+/// Skin that nobody was to remove, carried out as a flap; where it is marked, that is the task.
+TEST(Pieces, TissueThatIsNotToGoIsLostWithAPiece) {
+    for (const bool marked : {false, true}) {
+        Field field(test::box_scene(block()));
+        if (marked) {
+            field.scene.marked.assign(static_cast<size_t>(field.scene.body.tet_count()), 1);
+            field.scene.marked_volume_m3 = 128e-9;
+        }
+        field.cut_out(in_patch);
+        field.run(Vec3(0, 0, 0.010), 0.6, 200);
+        ASSERT_EQ(field.count(EventKind::kPieceFree), 1);
+        const double volume = field.state.pieces.list[0].volume_m3;
+        field.draw_out(Vec3(0, 0, 0.0001));
+        ASSERT_EQ(field.count(EventKind::kPieceOut), 1);
+        EXPECT_NEAR(field.lost(Tissue::kZone), marked ? 0 : volume, 1e-6 * volume);
+    }
 }
 
 TEST(Pieces, TheReleaseIsDecidedByConnectivitySectorBySector) {

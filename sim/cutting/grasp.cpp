@@ -171,10 +171,10 @@ void end_grasp(const Scene& scene, State& state, int t) noexcept {
     update_free_vertices(scene.body, state.body);
 }
 
-void begin_grasp(const Scene& scene, State& state, int t) noexcept {
+/// `jaw_rad`: as update_grasps() takes it from the input, finite and not negative.
+void begin_grasp(const Scene& scene, State& state, int t, float jaw_rad) noexcept {
     Grasp& g = state.grasps[t];
-    g.meet_rad = state.tools[t].jaw_rad;
-    g.jaw_rad = g.meet_rad;
+    g.meet_rad = g.jaw_rad = jaw_rad;
     Bite bite(scene, state, t);
     if (scene.patch) bite.take(scene.patch->triangles, kReach);
     // A patch between the jaws keeps them off the tissue below it, unless they are pressed in.
@@ -339,7 +339,7 @@ void update_grasps(const Scene& scene, State& state, double dt) noexcept {
             g.shut = 0;
         } else if (!g.shut && jaw <= meet && tool.engaged && g.count == 0) {
             g.shut = 1;
-            begin_grasp(scene, state, t);
+            begin_grasp(scene, state, t, jaw);
         }
         g.jaw_rad = jaw;
         if (g.count == 0) g.grasped = 0;
@@ -349,6 +349,7 @@ void update_grasps(const Scene& scene, State& state, double dt) noexcept {
 void hold_copy(const Scene& scene, State& state, int vertex, int copy) noexcept {
     const int8_t t = state.held_by[vertex];
     state.held_by[copy] = -1;
+    state.pieces.resting[copy] = state.pieces.resting[vertex];
     if (t < 0) return;
     Grasp& g = state.grasps[t];
     for (int i = 0; i < g.count; ++i) {

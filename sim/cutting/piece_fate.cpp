@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/cutting/piece_fate.h"
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 #include "sim/cutting/attempt_progress.h"
 #include "sim/cutting/cutting.h"
+#include "sim/cutting/diathermy.h"
 #include "sim/solver/topology.h"
 #include "sim/world/scratch.h"
 
@@ -47,6 +52,15 @@ bool lies_on_tissue(const Scene& scene, State& state, int piece) noexcept {
     return lost || p.calm >= kCalmFrames;
 }
 
+/// No tissue is marked for removal, and no instrument could remove any.
+bool nothing_is_to_go(const Scene& scene) noexcept {
+    const auto cuts = [](const ToolSpec& tool) noexcept {
+        return tool.kind == ToolKind::kScissors || conducts(tool.kind);
+    };
+    return scene.marked_volume_m3 == 0 &&
+           std::none_of(scene.tools.begin(), scene.tools.end(), cuts);
+}
+
 void take_away(const Scene& scene, State& state, int piece) noexcept {
     Piece& p = state.pieces.list[piece];
     int removed = 0;
@@ -76,25 +90,30 @@ void draw_out(const Scene& scene, State& state, int piece) noexcept {
         add_event(state, taken_out_event(scene, state));
     }
     add_event(state, e);
-    note_lost_placode(scene, state, piece);
+    note_lost_tissue(scene, state, piece);
 }
 
 }  // namespace
 
-void note_lost_placode(const Scene& scene, State& state, int piece) noexcept {
+void note_lost_tissue(const Scene& scene, State& state, int piece) noexcept {
     const std::vector<Tissue>& tissue = scene.body.mesh().tissue;
-    int32_t first = -1;
-    double volume = 0;
+    const bool all = nothing_is_to_go(scene);
+    std::array<int32_t, kTissueCount> first{};
+    std::array<double, kTissueCount> volume_m3{};
+    first.fill(-1);
     for_tets_of_piece(scene, state, piece, [&](int32_t t) {
-        if (tissue[t] != Tissue::kPlacode) return;
-        if (first < 0) first = t;
-        volume += static_cast<double>(scene.body.volume_m3()[t]);
+        if (!all && tissue[t] != Tissue::kPlacode) return;
+        const auto kind = static_cast<size_t>(tissue[t]);
+        if (first[kind] < 0) first[kind] = t;
+        volume_m3[kind] += static_cast<double>(scene.body.volume_m3()[t]);
     });
-    if (first < 0) return;
-    Event e = tissue_event(scene, state, EventKind::kTorn, first);
-    e.value = static_cast<float>(volume);
-    e.tool = state.pieces.list[piece].held_by;
-    add_event(state, e);
+    for (size_t kind = 0; kind < first.size(); ++kind) {
+        if (first[kind] < 0) continue;
+        Event e = tissue_event(scene, state, EventKind::kTorn, first[kind]);
+        e.value = static_cast<float>(volume_m3[kind]);
+        e.tool = state.pieces.list[piece].held_by;
+        add_event(state, e);
+    }
 }
 
 void stick_piece(const Scene& scene, State& state, int piece, bool resting) noexcept {

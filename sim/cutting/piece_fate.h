@@ -44,9 +44,10 @@ void stick_piece(const Scene& scene, State& state, int piece, bool resting) noex
 [[nodiscard]] Event piece_event(const Scene& scene, const State& state, EventKind kind,
                                 const Piece& p) noexcept;
 
-/// Placode that leaves with a piece is lost like what tears: one kTorn with all of its rest volume
-/// and no stretch, at the first of its tets. Nothing for a piece without placode.
-void note_lost_placode(const Scene& scene, State& state, int piece) noexcept;
+/// Tissue that nobody was to remove and that leaves with a piece is lost like what tears: a kTorn
+/// for each kind, with all of its rest volume and no stretch, at the first of its tets. Placode
+/// always; all kinds where no tissue is marked and no instrument cuts.
+void note_lost_tissue(const Scene& scene, State& state, int piece) noexcept;
 
 /// One frame of a piece that has been found.
 void follow_piece(const Scene& scene, State& state, int piece) noexcept;

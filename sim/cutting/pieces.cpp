@@ -36,7 +36,7 @@ void found(const Scene& scene, State& state, int32_t seed) noexcept {
     const bool part = pieces.of[seed] == kParted;
     int slot = 0;
     while (slot < kMostPieces && pieces.list[slot].tets > 0) ++slot;
-    if (slot == kMostPieces) return;  // found again by the next flood
+    if (slot == kMostPieces) return;  // found by the next flood: the piece that goes begins one
     std::vector<int32_t>& stack = state.scratch->sector_stack;
     Piece& p = pieces.list[slot];
     p = {};
@@ -61,7 +61,7 @@ void found(const Scene& scene, State& state, int32_t seed) noexcept {
         p.leaving = kWashedAway;
         ++pieces.crumbs;
         add_event(state, piece_event(scene, state, EventKind::kCrumb, p));
-        note_lost_placode(scene, state, slot);
+        note_lost_tissue(scene, state, slot);
         return;
     }
     add_event(state, piece_event(scene, state, EventKind::kPieceFree, p));
