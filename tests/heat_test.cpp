@@ -238,6 +238,38 @@ TEST(Heat, EnergyIsKeptThroughBoilingRemovalAndCooling) {
     }
 }
 
+TEST(Heat, ThePlaceOfTissueThatIsGoneTakesNoFurtherDose) {
+    Block block(Vec3(0.003, 0.003, 0.002), {3, 3, 2}, insulated());
+    const int corner = block.nearest(Vec3(0.0015, 0.0015, 0.002));
+    ASSERT_GT(block.body.tets_of(corner).size(), 0U);
+    for (int v = 0; v < block.body.vertex_count(); ++v) block.heat_to(v, 48);
+    block.advance(0.01);
+    for (const int32_t t : block.body.tets_of(corner)) block.remove(t);
+    const float dose = block.state.cem43_min[corner], damage = block.state.arrhenius[corner];
+    EXPECT_GT(dose, 0);
+    const int beside = block.nearest(Vec3(0.0005, 0.0005, 0));
+    const float before = block.state.cem43_min[beside];
+    for (int i = 0; i < 100; ++i) block.advance(0.01);
+    EXPECT_EQ(block.state.cem43_min[corner], dose);
+    EXPECT_EQ(block.state.arrhenius[corner], damage);
+    EXPECT_EQ(block.state.temperature_c[corner], 37) << "nothing there is hot";
+    EXPECT_GT(block.state.cem43_min[beside], 10 * before) << "what is left goes on";
+}
+
+TEST(Heat, TheDoseOfTissueThatGlowsIsANumber) {
+    Block block(Vec3(0.002, 0.002, 0.002), {2, 2, 2}, insulated());
+    for (int v = 0; v < block.body.vertex_count(); ++v) {
+        block.heat_to(v, 250);
+        block.state.dried[v] = 1;
+    }
+    for (int i = 0; i < 5; ++i)
+        (void)step_heat(block.body, block.model, block.state, block.tissue.tet_alive, 0.004, {});
+    for (int v = 0; v < block.body.vertex_count(); ++v) {
+        EXPECT_TRUE(std::isfinite(block.state.cem43_min[v]));
+        EXPECT_GT(block.state.cem43_min[v], 1e20F);
+    }
+}
+
 TEST(Heat, WaterMustBoilBeforeATetGoes) {
     Block block(Vec3(0.001, 0.001, 0.001), {1, 1, 1}, insulated());
     const double volume = 1e-9;

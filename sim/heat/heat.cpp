@@ -16,6 +16,7 @@ namespace {
 constexpr double kSpreadK = 0.001;  // a vertex this warm wakes its neighbours
 constexpr double kDoseFloorC = 38;  // below, a dose grows by less than 0.001 min/min
 constexpr float kOmegaFrozen = 10;
+constexpr double kDoseFrozenMin = 1e30;     // tissue that glows: floats end not far above
 constexpr uint8_t kWakes = 1, kDrying = 2;  // bits of HeatState::wakes
 
 }  // namespace
@@ -125,6 +126,7 @@ struct HeatStepper {
         Exposed exposed;
         for (int n = 0; n < state.ordered_count; ++n) {
             const int v = state.in_order[n];
+            if (state.capacity_j_k[v] <= 0) continue;  // its tissue is gone
             state.enthalpy_j[v] += dt * (state.flux_w[v] + state.power_w[v]);
             state.energy_in_j += dt * state.power_w[v];
             const double before = state.temperature_c[v];
@@ -172,7 +174,9 @@ struct HeatStepper {
         for (int i = 0; i < exposed.count; ++i) {
             const int v = exposed.vertex[i];
             const double middle = exposed.middle_c[i];
-            state.cem43_min[v] += static_cast<float>(dose[i] * dt / 60);
+            const double added = std::min(dose[i] * dt / 60, kDoseFrozenMin);
+            state.cem43_min[v] = std::min(state.cem43_min[v] + static_cast<float>(added),
+                                          static_cast<float>(kDoseFrozenMin));
             if (middle > s.arrhenius_gate_c && state.arrhenius[v] < kOmegaFrozen) {
                 const double rate = s.arrhenius_a_per_s * damage[i];
                 state.arrhenius[v] =
@@ -234,7 +238,9 @@ struct HeatStepper {
             for (const int32_t t : body.tets_of(v)) last = last && !alive[t];
             const double before = state.enthalpy_j[v];
             if (last) {
+                // Nothing is left there that could be hot: the dose stays as it was.
                 state.capacity_j_k[v] = state.latent_j[v] = state.enthalpy_j[v] = 0;
+                state.temperature_c[v] = static_cast<float>(model.settings_.body_temperature_c);
             } else {
                 const double whole = state.capacity_j_k[v];
                 state.capacity_j_k[v] -= model.capacity_j_m3k_[tissue] * volume / 4;
