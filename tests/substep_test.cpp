@@ -447,6 +447,7 @@ TEST_P(SubstepByMethod, ATetherPullsOneWayAndBreaks) {
     for (size_t v = 0; v < 8; ++v) state.v[v].z = -0.5F;
     run_substeps(body, state, 16 * 4, workers);
     EXPECT_EQ(state.tether_alive[0], 0);
+    EXPECT_GT(state.tether_lambda_n[0], 20e-6F) << "the force that broke it, for the ledger";
 }
 
 TEST(Substep, LooseComponentsAreFoundAgainAfterACut) {

@@ -88,7 +88,9 @@ class Substep {
                       state_.lanes.begin() + static_cast<int64_t>(start + b), 0.0F);
         }
         if (part == 0) {
-            std::fill(state_.tether_lambda_n.begin(), state_.tether_lambda_n.end(), 0.0F);
+            // A broken one keeps the force at which it broke, for the ledger.
+            for (size_t i = 0; i < state_.tether_lambda_n.size(); ++i)
+                if (state_.tether_alive[i] != 0) state_.tether_lambda_n[i] = 0;
         }
     }
 

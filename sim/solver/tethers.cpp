@@ -69,6 +69,7 @@ void solve_tethers_xpbd(const SoftBody& body, SoftBodyState& state, double h) no
 bool break_overloaded_tethers(const SoftBody& body, SoftBodyState& state) noexcept {
     bool broke = false;
     for (size_t i = 0; i < state.tether_alive.size(); ++i) {
+        if (state.tether_alive[i] == 0) continue;
         if (static_cast<double>(state.tether_lambda_n[i]) > body.spec().tethers[i].break_n) {
             state.tether_alive[i] = 0;
             broke = true;
