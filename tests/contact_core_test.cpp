@@ -129,5 +129,23 @@ TEST(ContactCore, ABallInAHandRubsAsTheSphereOfAVerificationScene) {
     expect_the_same(ball);
 }
 
+TEST(ContactCore, AFullListIsFullAndNothingIsWrittenBehindIt) {
+    const Scene scene = test::box_scene(block({}));
+    SoftBodyState body(scene.body);
+    ContactLists lists(scene.body.vertex_count(), 2, 3);
+    RigidSide side{0, 1e-3, 1, 0};
+    NearTriangle near;
+    near.vertex = {0, 1, 2};
+    near.x = {Vec3(0, 0, 0), Vec3(1e-3, 0, 0), Vec3(0, 1e-3, 0)};
+    // Each of its corners overlaps: three contacts, and there is room for two.
+    for (size_t k = 0; k < 3; ++k) near.corner[k] = {-1e-4, -Vec3::UnitZ()};
+    near.nearest.value_m = -1e-4;
+    near.nearest.gradient = -Vec3::UnitZ();
+    near.nearest.weight = Vec3::UnitX();
+    EXPECT_FALSE(touch_triangle(lists, body, side, near));
+    EXPECT_EQ(lists.contact_count, 2);
+    EXPECT_LE(lists.feature_count, std::ssize(lists.feature_used));
+}
+
 }  // namespace THIS_TEST
 }  // namespace placode::sim

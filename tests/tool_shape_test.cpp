@@ -108,6 +108,17 @@ TEST(ToolShape, NearestPointOfATriangleBeatsEverySampleOfIt) {
     EXPECT_GT(compared, 150);
 }
 
+TEST(ToolShape, ATriangleWithoutASideIsASegment) {
+    const Vec3 a(0, 0, 0), b(1, 0, 0), p(0.5, 0, 1);
+    for (const Triangle& t : {Triangle{a, a, b}, Triangle{a, b, a}, Triangle{b, a, a},
+                              Triangle{a, b, b}, Triangle{b, a, b}, Triangle{b, b, a}}) {
+        const Vec3 w = closest_on_triangle(p, t);
+        EXPECT_NEAR((w.x() * t[0] + w.y() * t[1] + w.z() * t[2] - p).norm(), 1, 1e-12);
+    }
+    const Vec3 w = closest_on_triangle(p, Triangle{a, a, a});
+    EXPECT_NEAR(w.sum(), 1, 1e-12);
+}
+
 TEST(ToolShape, AThinTipIsFoundInTheMiddleOfALargeTriangle) {
     const ToolShape shape = make_tool_shape(needle());
     // Corners 5 mm away, the tip 0.05 mm above the middle: no vertex is anywhere near.

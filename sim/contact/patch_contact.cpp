@@ -83,7 +83,7 @@ class FaceBelow {
         if ((low - at_).cwiseMax(at_ - high).cwiseMax(0.0).squaredNorm() >= best2_) return false;
         const Vec3 w = closest_on_triangle(at_, x);
         const double d2 = (at_ - w.x() * x[0] - w.y() * x[1] - w.z() * x[2]).squaredNorm();
-        if (d2 >= best2_) return false;
+        if (!(d2 < best2_)) return false;
         best2_ = d2;
         return true;
     }

@@ -78,7 +78,7 @@ class NearestFace {
         // What costs least is asked first: most faces are farther off than the best so far.
         if (!moves || beyond_best(x) || own_surroundings(face.vertex, face.tet)) return;
         const double d2 = squared_distance_to(x);
-        if (d2 >= best2_) return;
+        if (!(d2 < best2_)) return;
         best2_ = d2;
         found_ = {vertex_, face.tet,
                   local_face(corners(scene_.body, state_.body, face.tet), face.vertex)};

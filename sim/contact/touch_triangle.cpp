@@ -69,8 +69,9 @@ bool add_contact(ContactLists& lists, SoftBodyState& body, RigidSide& side,
         c.vertex[as_index(c.corners)] = triangle.vertex[k];
         c.b[as_index(c.corners++)] = c.b[k];
     }
-    if (is_double(lists, c)) return true;
+    // First, because is_double() notes the corner or edge in a list as long as that of contacts.
     if (lists.contact_count == std::ssize(lists.contacts)) return false;
+    if (is_double(lists, c)) return true;
     for (size_t k = 0; k < as_index(c.corners); ++k) {
         const int32_t slot = slot_of(lists, body, c.vertex[k]);
         if (slot < 0) return false;

@@ -258,7 +258,8 @@ Vec3 closest_on_triangle(const Vec3& p, const Triangle& t) noexcept {
     const double d3 = ab.dot(bp), d4 = ac.dot(bp);
     if (d3 >= 0 && d4 <= d3) return Vec3::UnitY();
     const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+    // Of a side without length both are 0: the next ones decide.
+    if (vc <= 0 && d1 >= 0 && d3 <= 0 && d1 > d3) {
         const double v = d1 / (d1 - d3);
         return {1 - v, v, 0};
     }
@@ -266,7 +267,7 @@ Vec3 closest_on_triangle(const Vec3& p, const Triangle& t) noexcept {
     const double d5 = ab.dot(cp), d6 = ac.dot(cp);
     if (d6 >= 0 && d5 <= d6) return Vec3::UnitZ();
     const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+    if (vb <= 0 && d2 >= 0 && d6 <= 0 && d2 > d6) {
         const double w = d2 / (d2 - d6);
         return {1 - w, 0, w};
     }

@@ -118,7 +118,7 @@ void measure_tips(const Scene& scene, State& state) noexcept {
             [&](int i) noexcept {
                 Vec3 w;
                 const double d2 = distance2_of(state, i, centre, w);
-                if (d2 >= best) return;
+                if (!(d2 < best)) return;
                 best = d2;
                 nearest = i;
                 weight = w;
