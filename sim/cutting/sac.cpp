@@ -75,8 +75,10 @@ void leak(const Scene& scene, State& state, double dt_s) noexcept {
     SacState& sac = state.sac;
     // Cuts gape more or less as the wall moves; what is empty loses nothing.
     const bool gapes = sac.hole_m2 > 0 && sac.pressure_pa > 0;
-    if (sac.looked != state.surface.version() || gapes) {
-        sac.looked = state.surface.version();
+    // A cut opens the wall only when its vertices have split, frames later.
+    const uint32_t shape = state.surface.version() + static_cast<uint32_t>(state.splits);
+    if (sac.looked != shape || gapes) {
+        sac.looked = shape;
         sac.hole_m2 = open_area(scene, state);
     }
     if (sac.hole_m2 > 0 && sac.opened == 0) {

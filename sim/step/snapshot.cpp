@@ -90,8 +90,10 @@ void fill_tissue(const Scene& scene, const State& state, Snapshot& out) {
             out.damage[v] = {0, 0, 0, 37};
         }
     }
-    if (out.slides != state.slides) {
-        out.slides = state.slides;
+    // Copies lie at rest where the vertex slid that they come from.
+    const auto slides = state.slides > 0 ? state.slides + state.splits : 0;
+    if (out.slides != slides) {
+        out.slides = slides;
         out.rest.resize(vertices);
         for (size_t v = 0; v < vertices; ++v) {
             const Vec3& p = rest_place(scene.body, state.body, static_cast<int>(v));
@@ -99,10 +101,12 @@ void fill_tissue(const Scene& scene, const State& state, Snapshot& out) {
         }
     }
     // The list is copied only when it changed since this buffer was last filled.
-    if (out.triangles.empty() || out.surface_version != state.surface.version()) {
+    // Faces part first and vertices frames later: both change it, and both only grow.
+    const uint32_t version = state.surface.version() + static_cast<uint32_t>(state.splits);
+    if (out.triangles.empty() || out.surface_version != version) {
         const auto triangles = state.surface.triangles();
         out.triangles.assign(triangles.begin(), triangles.end());
-        out.surface_version = state.surface.version();
+        out.surface_version = version;
     }
     if (scene.patch && out.patch.empty()) {
         for (const SurfaceTriangle& t : scene.patch->triangles) out.patch.push_back(t.vertex);

@@ -48,7 +48,7 @@ struct SacState {
     double hole_m2 = 0;      ///< Open area at rest [m^2].
     double leaked_m3 = 0;
     double roused_pa = 0;   ///< Pressure when the tissue was last woken for it.
-    uint32_t looked = ~0U;  ///< Surface version of the last look for holes.
+    uint32_t looked = ~0U;  ///< Surface version and splits at the last look for holes.
     uint8_t filled = 0;     ///< 1 = content is known.
     uint8_t opened = 0;     ///< 1 = the opening is in the ledger.
 };
