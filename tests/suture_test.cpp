@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "sim/suture/needle_motion.h"
 #include "tests/refused_field.h"
 
 namespace placode::sim {
@@ -59,6 +60,25 @@ TEST(Suture, HandTakesTheNeedleWhereItIs) {
     EXPECT_NE(state_hash(state), free);
     let_go_needle(state);
     EXPECT_EQ(state.hold.held, 0);
+}
+
+TEST(Suture, ASlipOfManySubstepsLeavesRoomForTheBite) {
+    SutureReport report;
+    const auto told = [](SutureEventKind kind, double force_n) {
+        SutureEvent event;
+        event.kind = kind;
+        event.force_n = force_n;
+        return event;
+    };
+    for (int substep = 0; substep < 64; ++substep) {
+        tell(report, told(SutureEventKind::kSlipped, 0.1 + 0.01 * (substep % 7)));
+        tell(report, told(SutureEventKind::kTurned, 0.2));
+    }
+    tell(report, told(SutureEventKind::kEntered, 0.3));
+    EXPECT_FALSE(report.dropped);
+    ASSERT_EQ(report.event_count, 3);
+    EXPECT_NEAR(report.events[0].force_n, 0.16, 1e-12) << "the hardest";
+    EXPECT_EQ(report.events[2].kind, SutureEventKind::kEntered);
 }
 
 }  // namespace THIS_TEST

@@ -108,6 +108,15 @@ void slip_round(const Suture& suture, SutureState& state, SutureReport& report) 
 }  // namespace
 
 void tell(SutureReport& report, const SutureEvent& event) noexcept {
+    // A slip tells of every substep: the hardest is enough, or bites would find no room.
+    if (event.kind == SutureEventKind::kSlipped || event.kind == SutureEventKind::kTurned) {
+        for (int i = 0; i < report.event_count; ++i) {
+            SutureEvent& told = report.events[as_index(i)];
+            if (told.kind != event.kind) continue;
+            told.force_n = std::max(told.force_n, event.force_n);
+            return;
+        }
+    }
     if (report.event_count == kMostSutureEvents)
         report.dropped = true;
     else
