@@ -56,7 +56,7 @@ assessment::UndermineSight look_at_undermining(const sim::Scene& scene,
     std::array<double, 2> freed{};
     for (const int side : {-1, 1}) {
         const sim::UnderminedArea area = undermined_area(scene, state, side);
-        freed[side > 0 ? 1 : 0] = area.wanted_m2 > 0 ? area.freed_m2 / area.wanted_m2 : 1;
+        freed[side > 0 ? 1 : 0] = area.wanted_m2 > 0 ? area.parted_m2 / area.wanted_m2 : 1;
     }
     assessment::UndermineSight sight;
     for (size_t i = 0; i < scene.tools.size(); ++i)

@@ -82,12 +82,10 @@ bool is_parted(const Scene& scene, const State& state, int face) noexcept {
 
 bool is_freed(const Scene& scene, const State& state, int face) noexcept {
     const DissectionPlane::Face& f = scene.plane.faces[as_index(face)];
-    const auto lives = [&](int32_t t) noexcept {
-        return t >= 0 && state.body.tet_alive[as_index(t)] != 0;
-    };
-    const int32_t below = scene.surface.neighbours()[as_index(f.above[0])][as_index(f.face)];
-    return state.surface.on_surface(f.above[0], f.face) && lives(below) &&
-           std::all_of(f.above.begin(), f.above.end(), lives);
+    const int32_t above = f.above[0],
+                  below = scene.surface.neighbours()[as_index(above)][as_index(f.face)];
+    return state.surface.on_surface(above, f.face) && state.body.tet_alive[as_index(above)] != 0 &&
+           below >= 0 && state.body.tet_alive[as_index(below)] != 0;
 }
 
 void part_plane(const Scene& scene, State& state) noexcept {
@@ -108,7 +106,7 @@ void part_plane(const Scene& scene, State& state) noexcept {
 double undermined_m(const Scene& scene, const State& state, int ray) noexcept {
     double reach = 0;
     for (const DissectionPlane::Stretch& s : scene.plane.rays[as_index(ray)].stretches) {
-        if (!is_freed(scene, state, s.face)) break;
+        if (!is_parted(scene, state, s.face)) break;
         reach = static_cast<double>(s.until_m);
     }
     return reach;
@@ -130,10 +128,11 @@ UnderminedArea undermined_area(const Scene& scene, const State& state, int side)
         const DissectionPlane::Face& face = scene.plane.faces[i];
         if (face.side != side || !(face.wanted || face.beyond)) continue;
         const auto area = static_cast<double>(face.area_m2);
-        const int number = static_cast<int>(i);
+        const bool parted = is_parted(scene, state, static_cast<int>(i));
         if (face.wanted) sum.wanted_m2 += area;
-        if (face.wanted && is_freed(scene, state, number)) sum.freed_m2 += area;
-        if (face.beyond && is_parted(scene, state, number)) sum.beyond_m2 += area;
+        if (face.wanted && parted) sum.parted_m2 += area;
+        if (face.wanted && is_freed(scene, state, static_cast<int>(i))) sum.freed_m2 += area;
+        if (face.beyond && parted) sum.beyond_m2 += area;
     }
     return sum;
 }

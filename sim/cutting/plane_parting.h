@@ -42,7 +42,8 @@ void part_plane(const Scene& scene, State& state) noexcept;
 /// Areas on one side of the slit, at rest [m^2].
 struct UnderminedArea {
     double wanted_m2 = 0;  ///< To be freed,
-    double freed_m2 = 0;   ///< and of that free.
+    double parted_m2 = 0;  ///< of that what holds no longer,
+    double freed_m2 = 0;   ///< and of that what is not torn away.
     double beyond_m2 = 0;  ///< Parted farther from the edges than skin may be freed.
 };
 [[nodiscard]] UnderminedArea undermined_area(const Scene& scene, const State& state,
