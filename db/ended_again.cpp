@@ -17,11 +17,7 @@ constexpr std::string_view kKeptUntil = "kept until ";  // Studies::erase_kept()
 
 /// An earlier version wrote the reason behind it: "erase: moved away".
 std::optional<WithdrawalMode> mode_of(const std::string& detail) {
-    const std::string word = detail.substr(0, detail.find(':'));
-    if (word == "keep") return WithdrawalMode::kKeep;
-    if (word == "stop") return WithdrawalMode::kStop;
-    if (word == "erase") return WithdrawalMode::kErase;
-    return std::nullopt;
+    return withdrawal_mode_named(detail.substr(0, detail.find(':')));
 }
 
 void end_one(Store& store, const EndedRecords& each,

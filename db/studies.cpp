@@ -123,9 +123,8 @@ std::vector<ParticipantRecord> Studies::participants(const std::string& study_id
         record.demonstration = query.integer("demonstration") != 0;
         record.device = query.text("device");
         if (const std::string mode = query.text("mode"); !mode.empty()) {
-            record.withdrawal = mode == "keep"   ? WithdrawalMode::kKeep
-                                : mode == "stop" ? WithdrawalMode::kStop
-                                                 : WithdrawalMode::kErase;
+            // A word of no mode must not let anybody use the data.
+            record.withdrawal = withdrawal_mode_named(mode).value_or(WithdrawalMode::kErase);
             record.withdrawal_reason = query.text("reason");
             record.withdrawn_utc = query.text("withdrawn_utc");
         }

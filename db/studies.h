@@ -5,7 +5,9 @@
 // knows an account. What becomes of it later: db/study_records.h.
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "db/records.h"
@@ -14,6 +16,13 @@ namespace placode::db {
 
 class Connection;
 struct StoreContext;
+
+/// How store, trail and command line name a WithdrawalMode, in its order.
+inline constexpr std::string_view kWithdrawalModeNames[] = {"keep", "stop", "erase"};
+/// The mode of one of these words; nullopt for every other.
+[[nodiscard]] std::optional<WithdrawalMode> withdrawal_mode_named(std::string_view name) noexcept;
+/// The other way round.
+[[nodiscard]] std::string withdrawal_mode_name(WithdrawalMode mode);
 
 /// `store.studies()`. Every change is one transaction and in the audit trail.
 class Studies {

@@ -3,7 +3,8 @@
 // Withdrawal, with the erasure that a participant may ask for, and erasure when the time is over
 // for which records were to be kept.
 
-#include <array>
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "curriculum/utc_time.h"
@@ -15,9 +16,17 @@ namespace {
 
 using Kind = StoreError::Kind;
 
-constexpr std::array<const char*, 3> kModes{"keep", "stop", "erase"};
-
 }  // namespace
+
+std::optional<WithdrawalMode> withdrawal_mode_named(std::string_view name) noexcept {
+    const auto* const found = std::ranges::find(kWithdrawalModeNames, name);
+    if (found == std::end(kWithdrawalModeNames)) return std::nullopt;
+    return static_cast<WithdrawalMode>(found - std::begin(kWithdrawalModeNames));
+}
+
+std::string withdrawal_mode_name(WithdrawalMode mode) {
+    return std::string(kWithdrawalModeNames[static_cast<size_t>(mode)]);
+}
 
 void Studies::erase_participant(const std::string& study_id, const std::string& code) {
     std::vector<int64_t> attempts;
@@ -71,29 +80,29 @@ void Studies::withdraw(const std::string& study_id, const std::string& code, Wit
                          Said::that("there is no such participant; check the code"));
     const std::string before = query.text(0);
     // Who has withdrawn may still ask for less use of the data, never for more.
-    const bool less = before == "keep" ? mode != WithdrawalMode::kKeep
-                                       : before == "stop" && mode == WithdrawalMode::kErase;
+    const auto now = withdrawal_mode_named(before);
+    const bool less = now == WithdrawalMode::kKeep
+                          ? mode != WithdrawalMode::kKeep
+                          : now == WithdrawalMode::kStop && mode == WithdrawalMode::kErase;
     if (!before.empty() && !less)
         connection_.fail(Kind::kConflict,
                          Said::that("the participant has withdrawn already (%1)").with(before));
     context_.touch("participant", {study_id, code});
+    const std::string name = withdrawal_mode_name(mode);
     if (before.empty())
         Statement(connection_,
                   "INSERT INTO withdrawals (study_id, code, mode, reason, withdrawn_by, "
                   "withdrawn_utc) VALUES (?, ?, ?, ?, ?, ?)")
-            .run(study_id, code, kModes[static_cast<size_t>(mode)], reason, context_.actor.name,
-                 utc_now());
+            .run(study_id, code, name, reason, context_.actor.name, utc_now());
     else
         Statement(connection_,
                   "UPDATE withdrawals SET mode = ?, reason = ?, withdrawn_by = ?, withdrawn_utc = "
                   "? WHERE study_id = ? AND code = ?")
-            .run(kModes[static_cast<size_t>(mode)], reason, context_.actor.name, utc_now(),
-                 study_id, code);
+            .run(name, reason, context_.actor.name, utc_now(), study_id, code);
     if (mode == WithdrawalMode::kErase) erase_participant(study_id, code);
     // The reason stands in `withdrawals`: what somebody said of a participant is nothing for a
     // trail that nobody can redact.
-    context_.append_audit("study.withdraw", study_id + " " + code,
-                          kModes[static_cast<size_t>(mode)]);
+    context_.append_audit("study.withdraw", study_id + " " + code, name);
     work.commit();
 }
 

@@ -10,6 +10,7 @@
 
 #include "curriculum/study.h"
 #include "db/consent.h"
+#include "db/ended_again.h"
 #include "db/erasure.h"
 #include "db/packing.h"
 #include "db/store.h"
@@ -278,6 +279,34 @@ TEST_P(StudyStore, WithdrawalStopsKeepsOrErasesAndTheTombstoneStays) {
     EXPECT_EQ(store->audit().trail(1).at(0).action, "study.withdraw");
     EXPECT_EQ(store->studies().new_participant("pilot").substr(0, 4), "P004")
         << "a code is never used twice";
+}
+
+TEST(WithdrawalModes, HaveOneWordEach) {
+    EXPECT_EQ(db::withdrawal_mode_named("keep"), WithdrawalMode::kKeep);
+    EXPECT_EQ(db::withdrawal_mode_named("stop"), WithdrawalMode::kStop);
+    EXPECT_EQ(db::withdrawal_mode_named("erase"), WithdrawalMode::kErase);
+    for (const char* word : {"", "Keep", "keep ", "erase: moved away", "kept"})
+        EXPECT_FALSE(db::withdrawal_mode_named(word)) << word;
+    for (const std::string_view word : db::kWithdrawalModeNames)
+        EXPECT_EQ(db::withdrawal_mode_name(db::withdrawal_mode_named(word).value()), word);
+}
+
+// What store and trail keep is read as what was asked for.
+TEST_P(StudyStore, AWithdrawalIsReadInTheModeItWasWrittenIn) {
+    store->definitions().publish(study(1));
+    for (const auto mode : {WithdrawalMode::kKeep, WithdrawalMode::kStop, WithdrawalMode::kErase}) {
+        const std::string code = store->studies().new_participant("pilot");
+        store->studies().withdraw("pilot", code, mode, "not given");
+        const std::string word = db::withdrawal_mode_name(mode);
+        EXPECT_EQ(store->studies().participants("pilot").back().withdrawal, mode);
+        EXPECT_EQ(raw().value("SELECT mode FROM withdrawals WHERE code = '" + code + "'"), word);
+        const auto ended = db::ended_records(store->audit().of_action("study.withdraw"));
+        EXPECT_EQ(ended.back().code, code);
+        EXPECT_EQ(ended.back().mode, mode);
+        EXPECT_EQ(ended.back().entry.detail, word);
+        EXPECT_THAT(failure_of([&] { store->studies().withdraw("pilot", code, mode, "x"); }).what(),
+                    HasSubstr("has withdrawn already (" + word + ")"));
+    }
 }
 
 TEST_P(StudyStore, AnAttemptOfAStudyBelongsToTheCodeAndToNobodyElse) {

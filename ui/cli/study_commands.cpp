@@ -3,6 +3,7 @@
 // placodectl study: participants, what they did and answered. Protocols and questionnaires:
 // study_definition_commands.cpp.
 
+#include <iterator>
 #include <memory>
 
 #include "curriculum/study.h"
@@ -147,9 +148,7 @@ std::string copies_left(const Context& context, Json& left) {
 
 int withdraw(const Context& context, const StudyOptions& options) {
     Session session = coordinator(context);
-    const db::WithdrawalMode mode = options.mode == "keep"   ? db::WithdrawalMode::kKeep
-                                    : options.mode == "stop" ? db::WithdrawalMode::kStop
-                                                             : db::WithdrawalMode::kErase;
+    const db::WithdrawalMode mode = db::withdrawal_mode_named(options.mode).value();
     as_input([&] {
         session.store().studies().withdraw(options.id, need_code(options.code), mode,
                                            options.reason);
@@ -253,7 +252,8 @@ void add_withdraw_command(const StudyGroup& group) {
                      "keep: data to date are used; stop: they stay, but are used no more; erase: "
                      "they are deleted")
         ->required()
-        ->check(CLI::IsMember({"keep", "stop", "erase"}));
+        ->check(CLI::IsMember(std::vector<std::string>(std::begin(db::kWithdrawalModeNames),
+                                                       std::end(db::kWithdrawalModeNames))));
     withdraw_command->add_option("--reason", group.options->reason, "\"not given\" is one")
         ->required();
 }
