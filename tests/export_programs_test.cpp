@@ -155,6 +155,58 @@ TEST_F(Programs, TheStudyOfThePaperRunsAndLeavesInEveryFormat) {
     EXPECT_THAT(carl("questionnaire publish q.json").err, HasSubstr("next version"));
 }
 
+/// Answers to the SUS with this first one; the others are 3.
+std::string sus_answers(int first) {
+    std::string answers = " sus sus01=" + std::to_string(first);
+    for (const char* item : {"02", "03", "04", "05", "06", "07", "08", "09", "10"})
+        answers += std::string(" sus") + item + "=3";
+    return answers;
+}
+
+// Two sheets of one visit: nobody guesses which one a correction or a second entry belongs to.
+TEST_F(Programs, OneOfSeveralSetsOfAnswersIsNamed) {
+    ASSERT_EQ(ctl("study demo").status, 0);
+    const std::string code = ctl("study enrol face_content_validity --consented").out.substr(0, 6);
+    const std::string who = " face_content_validity " + code;
+    std::vector<std::string> sets;
+    for (const int first : {1, 2}) {
+        const Outcome answered = ctl("--json study answer" + who + sus_answers(first));
+        ASSERT_EQ(answered.status, 0) << answered.err;
+        sets.push_back(std::to_string(static_cast<int>(number_in(answered.out, "answers"))));
+    }
+    const std::string& later = sets[1];
+    const std::string second = "study second-entry" + who + sus_answers(5);
+    const std::string correct = "study correct" + who + " sus sus02=4 --reason slip";
+    for (const std::string& each : {second, correct}) {
+        const Outcome asked = ctl(each);
+        EXPECT_EQ(asked.status, 2) << asked.out;
+        EXPECT_THAT(asked.err, AllOf(HasSubstr("has 2 sets of answers"), HasSubstr("--set: "),
+                                     HasSubstr(sets[0] + " ("), HasSubstr(later + " (")));
+    }
+    EXPECT_THAT(ctl(second + " --set 1").err, HasSubstr("set 1 is not among the answers"));
+    const Outcome entered = ctl("--json " + second + " --set " + later);
+    EXPECT_EQ(entered.status, 0) << entered.err;
+    EXPECT_EQ(number_in(entered.out, "differences"), 1) << "of the set that was named";
+    const Outcome differences = ctl("--json study differences face_content_validity");
+    EXPECT_EQ(number_in(differences.out, "answers"), std::stoi(later)) << differences.out;
+    EXPECT_THAT(differences.out, HasSubstr("\"first\": \"2\""));
+    // One of the two differs in the item: that one is meant, until the other one does, too.
+    const std::string decide = "study decide" + who + " sus sus01 --right 2 --reason looked";
+    EXPECT_EQ(ctl(second + " --set " + sets[0]).status, 0);
+    EXPECT_THAT(ctl(decide).err, HasSubstr("has 2 sets of answers"));
+    EXPECT_EQ(ctl(decide + " --set " + later).status, 0);
+    EXPECT_EQ(ctl(decide).status, 0);
+    EXPECT_THAT(ctl(decide).err, HasSubstr("do not differ in item"));
+    EXPECT_EQ(ctl(correct + " --set " + later).status, 0);
+    const auto stored =
+        db::open_store("sqlite:" + store)->studies().answers("face_content_validity");
+    for (const db::AnswerRecord& each : stored) {
+        if (each.participant != code) continue;
+        EXPECT_EQ(each.answers.at("sus01"), "5");
+        EXPECT_EQ(each.answers.at("sus02"), std::to_string(each.id) == later ? "4" : "3");
+    }
+}
+
 TEST_F(Programs, AProcedureOfAStudyIsJudgedRepeatedAndNotedOnTheCommandLine) {
     add_user("carl", "coordinator");
     const auto carl = [&](const std::string& arguments) {

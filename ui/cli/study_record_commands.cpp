@@ -19,6 +19,7 @@ struct StudyRecordOptions {
     std::string study, code, questionnaire, item, meaning, reason;
     std::vector<std::string> answers;
     int right = 1, visit = 1;
+    int64_t set = 0;  ///< Number of a set of answers; 0 = none was named.
 };
 
 /// Refusals and what is not there are bad input.
@@ -71,14 +72,54 @@ int unlock(const Context& context, const StudyRecordOptions& options) {
     return 0;
 }
 
-/// The first answers of the participant to the questionnaire at that visit.
+using Sets = std::vector<db::AnswerRecord>;
+
+/// "3 (before, 2026-01-02T03:04:05.000Z), 7 (...)": number, step and time of each.
+std::string list_of(Session& session, const StudyRecordOptions& options, const Sets& sets) {
+    const auto steps = session.store().studies().steps(options.study);
+    std::string list;
+    for (const db::AnswerRecord& each : sets) {
+        const auto step = std::ranges::find(steps, each.id, &db::StepRecord::answer_id);
+        list += (list.empty() ? "" : ", ") + std::to_string(each.id) + " (" +
+                (step == steps.end() ? "" : step->step + ", ") + each.answered_utc + ")";
+    }
+    return list;
+}
+
+/// What the participant answered to the questionnaire at that visit: a protocol may ask twice. The
+/// set that --set names, else all. Throws InputError where there is none.
+Sets sets_of(Session& session, const StudyRecordOptions& options) {
+    Sets sets = session.store().studies().answers(options.study);
+    std::erase_if(sets, [&](const db::AnswerRecord& each) {
+        return each.participant != options.code || each.questionnaire_id != options.questionnaire ||
+               each.visit != options.visit;
+    });
+    const std::string what =
+        " answers to \"" + options.questionnaire + "\" at visit " + std::to_string(options.visit);
+    if (sets.empty())
+        throw InputError("study " + options.study + ": " + options.code + " has no" + what);
+    if (options.set == 0) return sets;
+    const auto named = std::ranges::find(sets, options.set, &db::AnswerRecord::id);
+    if (named == sets.end())
+        throw InputError("study " + options.study + ": set " + std::to_string(options.set) +
+                         " is not among the" + what + " of " + options.code +
+                         "; expected one of: " + list_of(session, options, sets));
+    return {*named};
+}
+
+/// Throws InputError where there are several: nobody guesses which sheet was meant.
+void need_one(Session& session, const StudyRecordOptions& options, const Sets& sets) {
+    if (sets.size() == 1) return;
+    throw InputError("study " + options.study + ": " + options.code + " has " +
+                     std::to_string(sets.size()) + " sets of answers to \"" +
+                     options.questionnaire + "\" at visit " + std::to_string(options.visit) +
+                     "; name one with --set: " + list_of(session, options, sets));
+}
+
 db::AnswerRecord answers_of(Session& session, const StudyRecordOptions& options) {
-    for (auto& record : session.store().studies().answers(options.study))
-        if (record.participant == options.code &&
-            record.questionnaire_id == options.questionnaire && record.visit == options.visit)
-            return record;
-    throw InputError("study " + options.study + ": " + options.code + " has no answers to \"" +
-                     options.questionnaire + "\" at visit " + std::to_string(options.visit));
+    const Sets sets = sets_of(session, options);
+    need_one(session, options, sets);
+    return sets.front();
 }
 
 curriculum::Answers typed(const std::vector<std::string>& pairs) {
@@ -121,8 +162,8 @@ int second_entry(const Context& context, const StudyRecordOptions& options) {
 int differences(const Context& context, const StudyRecordOptions& options) {
     Session session = coordinator(context);
     Json json = Json::array();
-    std::vector<std::vector<std::string>> rows{
-        {"code", "questionnaire", "visit", "answered", "item", "first", "second", "typed by"}};
+    std::vector<std::vector<std::string>> rows{{"code", "questionnaire", "visit", "answered",
+                                                "item", "first", "second", "typed by", "set"}};
     for (const auto& each : db::entry_differences(session.store(), options.study)) {
         json.push_back({{"participant", each.participant},
                         {"questionnaire", each.questionnaire_id},
@@ -131,9 +172,11 @@ int differences(const Context& context, const StudyRecordOptions& options) {
                         {"item", each.item},
                         {"first", each.first},
                         {"second", each.second},
-                        {"entered_by", each.entered_by}});
+                        {"entered_by", each.entered_by},
+                        {"answers", each.answer_id}});
         rows.push_back({each.participant, each.questionnaire_id, std::to_string(each.visit),
-                        each.answered_utc, each.item, each.first, each.second, each.entered_by});
+                        each.answered_utc, each.item, each.first, each.second, each.entered_by,
+                        std::to_string(each.answer_id)});
     }
     print(context, json, rows.size() == 1 ? "no differences" : table(rows));
     return 0;
@@ -141,18 +184,28 @@ int differences(const Context& context, const StudyRecordOptions& options) {
 
 int decide(const Context& context, const StudyRecordOptions& options) {
     Session session = coordinator(context);
-    const auto record = answers_of(session, options);
-    for (const auto& each : db::entry_differences(session.store(), options.study)) {
-        if (each.answer_id != record.id || each.item != options.item) continue;
-        records(
-            [&] { db::decide_difference(session.store(), each, options.right, options.reason); });
-        print(context, {{"participant", options.code}, {"item", options.item}},
-              options.code + " " + options.item + ": entry " + std::to_string(options.right) +
-                  " is right");
-        return 0;
-    }
-    throw InputError("study decide: the entries of " + options.code + " do not differ in item \"" +
-                     options.item + "\"; see `placodectl study differences " + options.study + "`");
+    // Where one of several sets differs in the item, that one is meant.
+    Sets sets = sets_of(session, options);
+    auto open = db::entry_differences(session.store(), options.study);
+    std::erase_if(open, [&](const db::EntryDifference& each) {
+        return each.item != options.item ||
+               std::ranges::find(sets, each.answer_id, &db::AnswerRecord::id) == sets.end();
+    });
+    if (open.empty())
+        throw InputError("study decide: the entries of " + options.code +
+                         " do not differ in item \"" + options.item +
+                         "\"; see `placodectl study differences " + options.study + "`");
+    std::erase_if(sets, [&](const db::AnswerRecord& each) {
+        return std::ranges::find(open, each.id, &db::EntryDifference::answer_id) == open.end();
+    });
+    need_one(session, options, sets);
+    records([&] {
+        db::decide_difference(session.store(), open.front(), options.right, options.reason);
+    });
+    print(context, {{"participant", options.code}, {"item", options.item}},
+          options.code + " " + options.item + ": entry " + std::to_string(options.right) +
+              " is right");
+    return 0;
 }
 
 }  // namespace
@@ -171,6 +224,8 @@ void add_study_record_commands(CLI::App& study, Context& context) {
             command->add_option("QUESTIONNAIRE", options->questionnaire, "Its id")->required();
             command->add_option("--visit", options->visit, "Number of the visit")
                 ->check(CLI::Range(1, 100));
+            command->add_option("--set", options->set,
+                                "Number of the set, where there are several at the visit");
         }
         command->callback([&context, options, work] {
             context.run = [&context, options, work] { return work(context, *options); };
