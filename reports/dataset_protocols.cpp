@@ -3,6 +3,7 @@
 #include "reports/dataset_protocols.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "db/study_conduct.h"
 
@@ -32,6 +33,15 @@ const curriculum::StudyProtocol* Protocols::newest() const { return version(0); 
 const curriculum::StudyProtocol* Protocols::of(const std::string& code) const {
     const auto found = enrolled_.find(code);
     return version(found == enrolled_.end() ? 0 : found->second);
+}
+
+std::vector<const curriculum::StudyProtocol*> Protocols::in_use() const {
+    std::map<int, const curriculum::StudyProtocol*, std::greater<>> found;
+    for (const auto& [code, unused] : enrolled_)
+        if (const auto* protocol = of(code)) found.emplace(protocol->version, protocol);
+    std::vector<const curriculum::StudyProtocol*> list;
+    for (const auto& [number, protocol] : found) list.push_back(protocol);
+    return list;
 }
 
 bool Protocols::ask_consent() const {

@@ -16,6 +16,8 @@ namespace placode::reports {
 /// The published protocols of a study: everybody's data are read by the version of their enrolment.
 class Protocols {
  public:
+    /// Of no study: nobody has a version.
+    Protocols() = default;
     /// @param participants of the study. Throws as Definitions::find() and load_study_text().
     Protocols(db::Store& store, const std::string& study_id,
               const std::vector<db::ParticipantRecord>& participants);
@@ -24,6 +26,8 @@ class Protocols {
     [[nodiscard]] const curriculum::StudyProtocol* newest() const;
     /// That of the participant's enrolment; the newest for who was enrolled before there was one.
     [[nodiscard]] const curriculum::StudyProtocol* of(const std::string& code) const;
+    /// Those that of() gives for anybody, the newest first, each once.
+    [[nodiscard]] std::vector<const curriculum::StudyProtocol*> in_use() const;
     /// Whether any version asks for consent.
     [[nodiscard]] bool ask_consent() const;
 

@@ -42,6 +42,47 @@ std::map<std::string, double> marks_of(db::Store& store, const Dataset& data) {
     return found;
 }
 
+/// Whether the flow of participants shows how many did the step.
+bool in_the_flow(const curriculum::StudyStep& step) {
+    return step.kind == curriculum::StepKind::kQuestionnaire ||
+           step.kind == curriculum::StepKind::kProcedure;
+}
+
+std::vector<const curriculum::StudyStep*> flow_steps(const Protocols& protocols) {
+    std::vector<const curriculum::StudyStep*> list;
+    for (const curriculum::StudyProtocol* protocol : protocols.in_use()) {
+        auto behind = list.begin();
+        for (const curriculum::StudyStep& step : protocol->steps) {
+            if (!in_the_flow(step)) continue;
+            const auto same = std::ranges::find(list, step.id, &curriculum::StudyStep::id);
+            behind = same == list.end() ? list.insert(behind, &step) : same;
+            ++behind;
+        }
+    }
+    return list;
+}
+
+/// How many did each step, by what it is in their own version; the consent is counted as "".
+std::map<std::string, int> people_by_step(const StudyReport& report) {
+    std::map<std::string, std::set<std::string>> done;
+    for (const db::StepRecord& record : report.steps)
+        if (record.state == db::StepState::kDone && !record.superseded())
+            done[record.participant].insert(record.step);
+    std::map<std::string, int> people;
+    for (const db::ParticipantRecord& each : report.everybody) {
+        const curriculum::StudyProtocol* protocol = report.protocols.of(each.code);
+        if (protocol == nullptr) continue;
+        bool consented = false;
+        for (const curriculum::StudyStep& step : protocol->steps) {
+            if (!done[each.code].contains(step.id)) continue;
+            if (in_the_flow(step)) ++people[step.id];
+            consented = consented || step.kind == curriculum::StepKind::kConsent;
+        }
+        if (consented) ++people[""];
+    }
+    return people;
+}
+
 }  // namespace
 
 StudyReport read_study_report(db::Store& store, const std::string& study_id,
@@ -52,6 +93,7 @@ StudyReport read_study_report(db::Store& store, const std::string& study_id,
         if (is_questionnaire(form))
             report.instruments.push_back(questionnaire_of(store, form.id, form.version));
     report.everybody = store.studies().participants(study_id);
+    report.protocols = Protocols(store, study_id, report.everybody);
     report.steps = store.studies().steps(study_id);
     for (auto& version : store.definitions().list("study"))
         if (version.id == study_id) report.versions.push_back(std::move(version));
@@ -83,23 +125,14 @@ FlowNumbers flow_numbers(const StudyReport& report, const std::string& language)
     flow.analysed = static_cast<int>(
         std::count_if(answered.begin(), answered.end(),
                       [&](const std::string& code) { return usable.contains(code); }));
-    flow.consented = -1;
-    if (report.data.definition_json.empty()) return flow;
-    const auto protocol =
-        curriculum::load_study_text(report.data.definition_json, "study " + report.data.id);
-    for (const auto& step : protocol.steps) {
-        std::set<std::string> done;
-        for (const auto& record : report.steps)
-            if (record.step == step.id && record.state == db::StepState::kDone &&
-                !record.superseded())
-                done.insert(record.participant);
-        const int n = static_cast<int>(done.size());
-        if (step.kind == curriculum::StepKind::kConsent)
-            flow.consented = n;
-        else if (step.kind == curriculum::StepKind::kQuestionnaire ||
-                 step.kind == curriculum::StepKind::kProcedure)
-            flow.reached.emplace_back(step.title.en.empty() ? step.id : step.title.in(language), n);
-    }
+    std::map<std::string, int> people = people_by_step(report);
+    const auto versions = report.protocols.in_use();
+    const bool asked = std::ranges::any_of(
+        versions, [](const curriculum::StudyProtocol* each) { return each->needs_consent(); });
+    flow.consented = asked ? people[""] : -1;
+    for (const curriculum::StudyStep* step : flow_steps(report.protocols))
+        flow.reached.emplace_back(step->title.en.empty() ? step->id : step->title.in(language),
+                                  people[step->id]);
     return flow;
 }
 

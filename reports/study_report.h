@@ -12,6 +12,7 @@
 
 #include "db/study_records.h"
 #include "reports/dataset.h"
+#include "reports/dataset_protocols.h"
 #include "reports/figure.h"
 #include "reports/study_numbers.h"
 
@@ -22,6 +23,7 @@ struct StudyReport {
     std::vector<curriculum::Questionnaire> instruments;  ///< Of the data set's forms.
     std::vector<db::StepRecord> steps;
     std::vector<db::ParticipantRecord> everybody;  ///< With those who left.
+    Protocols protocols;                           ///< By which everybody's steps are read.
     std::vector<db::DefinitionRecord> versions;    ///< Of the protocol: amendments with reasons.
     std::vector<db::RecordEvent> record_events;
     std::map<std::string, db::RecordState> record_states;
@@ -40,7 +42,9 @@ struct StudyReport {
 [[nodiscard]] StudyReport read_study_report(db::Store& store, const std::string& study_id,
                                             const std::string& language = "en");
 
-/// Of everybody who was enrolled; consented is -1 where the protocol asks for none.
+/// Of everybody who was enrolled, each by the version of the protocol of the enrolment; consented
+/// is -1 where no such version asks for one. Steps stand in the order of the newest of these
+/// versions, those of an earlier one only behind the step that they followed.
 /// @param language of the steps' titles.
 [[nodiscard]] FlowNumbers flow_numbers(const StudyReport& report,
                                        const std::string& language = "en");

@@ -3,6 +3,7 @@
 // Which study it is, how it was done and counted, with which software and data.
 
 #include <QCryptographicHash>
+#include <algorithm>
 
 #include "reports/attempt_counts.h"
 #include "reports/study_report_parts.h"
@@ -33,6 +34,47 @@ QString uncounted_part(const Dataset& data) {
     return QString(" (%1 of them %2 not count)").arg(n).arg(n == 1 ? "does" : "do");
 }
 
+QString steps_of(const curriculum::StudyProtocol& protocol) {
+    QString steps;
+    for (const auto& step : protocol.steps) {
+        QString name = safe(step.title.en.empty() ? step.id : step.title.en);
+        if (step.max_s > 0) name += " (at most " + number(step.max_s, 0) + " s)";
+        if (step.kind == curriculum::StepKind::kProcedure)
+            name += step.time_limit_s ? " (limit " + number(*step.time_limit_s, 0) + " s)"
+                                      : QStringLiteral(" (no limit of the study)");
+        if (step.min_s > 0) name += " (at least " + number(step.min_s, 0) + " s)";
+        if (step.is_attempt())
+            name += " (device: " +
+                    (step.device.empty() ? QStringLiteral("the coordinator's choice")
+                                         : safe(step.device)) +
+                    "; aids: " + aids_of(step) + ")";
+        steps += (steps.isEmpty() ? "" : ", ") + name;
+    }
+    return steps;
+}
+
+/// What participants went through: an amendment has no say in what was done before it.
+void write_ways(Paper& paper, const StudyReport& report) {
+    const auto versions = report.protocols.in_use();
+    QStringList sources;
+    for (const curriculum::StudyProtocol* protocol : versions) {
+        const auto n = std::ranges::count_if(report.everybody, [&](const auto& each) {
+            const auto* own = report.protocols.of(each.code);
+            return own != nullptr && own->version == protocol->version;
+        });
+        const QString who = versions.size() == 1
+                                ? QStringLiteral("Each participant")
+                                : QString("Each participant of protocol version %1 (n = %2)")
+                                      .arg(protocol->version)
+                                      .arg(n);
+        paper.html("<p>" + who + " went through: " + steps_of(*protocol) +
+                   ". Visits: " + QString::number(protocol->visits) + ".</p>");
+        if (!protocol->source.empty()) sources << safe(protocol->source);
+    }
+    sources.removeDuplicates();
+    for (const QString& source : sources) paper.html("<p>Protocol: " + source + ".</p>");
+}
+
 }  // namespace
 
 void write_title(Paper& paper, const StudyReport& report) {
@@ -53,28 +95,7 @@ void write_title(Paper& paper, const StudyReport& report) {
 
 void write_methods(Paper& paper, const StudyReport& report) {
     paper.heading("Methods");
-    if (!report.data.definition_json.empty()) {
-        const auto protocol =
-            curriculum::load_study_text(report.data.definition_json, "study " + report.data.id);
-        QString steps;
-        for (const auto& step : protocol.steps) {
-            QString name = safe(step.title.en.empty() ? step.id : step.title.en);
-            if (step.max_s > 0) name += " (at most " + number(step.max_s, 0) + " s)";
-            if (step.kind == curriculum::StepKind::kProcedure)
-                name += step.time_limit_s ? " (limit " + number(*step.time_limit_s, 0) + " s)"
-                                          : QStringLiteral(" (no limit of the study)");
-            if (step.min_s > 0) name += " (at least " + number(step.min_s, 0) + " s)";
-            if (step.is_attempt())
-                name += " (device: " +
-                        (step.device.empty() ? QStringLiteral("the coordinator's choice")
-                                             : safe(step.device)) +
-                        "; aids: " + aids_of(step) + ")";
-            steps += (steps.isEmpty() ? "" : ", ") + name;
-        }
-        paper.html("<p>Each participant went through: " + steps +
-                   ". Visits: " + QString::number(protocol.visits) + ".</p>");
-        if (!protocol.source.empty()) paper.html("<p>Protocol: " + safe(protocol.source) + ".</p>");
-    }
+    write_ways(paper, report);
     for (const auto& instrument : report.instruments)
         paper.html("<p><b>" + safe(instrument.title.en) + "</b> (" + safe(instrument.id) +
                    ", version " + QString::number(instrument.version) + "): " +

@@ -3,7 +3,6 @@
 #include "reports/study_report_parts.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "curriculum/study.h"
@@ -33,15 +32,11 @@ void write_analysis_table(Paper& paper, const Analysis& analysis) {
     for (const Figure& figure : analysis.figures) paper.figure(figure);
 }
 
-/// What the steps are called on the screen, by id; those that have a name.
-std::map<std::string, std::string> step_titles(const StudyReport& report) {
-    std::map<std::string, std::string> titles;
-    if (report.data.definition_json.empty()) return titles;
-    const auto protocol =
-        curriculum::load_study_text(report.data.definition_json, "study " + report.data.id);
-    for (const auto& step : protocol.steps)
-        if (!step.title.en.empty()) titles[step.id] = step.title.en;
-    return titles;
+/// What the step is called on the participant's screen, or its id.
+std::string step_title(const StudyReport& report, const db::Deviation& deviation) {
+    const curriculum::StudyProtocol* protocol = report.protocols.of(deviation.participant);
+    const auto* step = protocol == nullptr ? nullptr : protocol->step(deviation.step);
+    return step == nullptr || step->title.en.empty() ? deviation.step : step->title.en;
 }
 
 }  // namespace
@@ -81,14 +76,10 @@ void write_deviations(Paper& paper, const StudyReport& report) {
         "void "
         "are in no analysis.",
         {"kind", "n", "participants"}, "lrr", counts);
-    const auto titles = step_titles(report);
-    for (const db::Deviation& each : report.data.deviations) {
-        const auto title = titles.find(each.step);
-        list.push_back({safe(each.participant),
-                        safe(title == titles.end() ? each.step : title->second),
+    for (const db::Deviation& each : report.data.deviations)
+        list.push_back({safe(each.participant), safe(step_title(report, each)),
                         deviation_title(each.kind, Language::kEnglish),
                         deviation_words(each, Language::kEnglish).toHtmlEscaped()});
-    }
     paper.table("Every deviation, by code.", {"code", "step", "kind", "what happened"}, "llll",
                 list);
 }

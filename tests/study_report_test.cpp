@@ -357,6 +357,83 @@ TEST_F(StudyReportTest, DeviationsAreCountedAndListedAndNoAnalysisUsesWhatDoesNo
                                                                 << text.toStdString();
 }
 
+/// A study whose amendment makes a warm-up of the procedure, and asks after it, not before.
+db::DefinitionRecord amended_study(int version) {
+    db::DefinitionRecord study;
+    study.kind = "study";
+    study.id = "amended";
+    study.version = version;
+    study.reason = "the committee asked for it";
+    const std::string steps =
+        version == 1
+            ? R"({"id":"consent","kind":"consent"},{"id":"run","kind":"procedure",)"
+              R"("title":{"en":"First look"},"task":"diathermy_ring"},{"id":"before",)"
+              R"("kind":"questionnaire","title":{"en":"Asked before"},"questionnaire":"sus"})"
+            : R"({"id":"agreement","kind":"consent"},{"id":"run","kind":"familiarisation",)"
+              R"("title":{"en":"Warming up"},"task":"diathermy_ring","max_s":60},{"id":"after",)"
+              R"("kind":"questionnaire","title":{"en":"Asked after"},"questionnaire":"sus"})";
+    study.json = R"({"id":"amended","version":)" + std::to_string(version) +
+                 R"(,"title":{"en":"t"},"consent":{"version":1,"information":[{"en":"i"}],)"
+                 R"("statements":[{"id":"a","text":{"en":"yes"}}]},"steps":[)" +
+                 steps + "]}";
+    return study;
+}
+
+/// Somebody who is enrolled, consents, does "run" and answers.
+std::string taken_part(db::Store& store) {
+    const std::string code = store.studies().new_participant("amended", true);
+    db::record_consent(store, "amended", code, "en", {"a"});
+    db::StepRecord run;
+    run.study_id = "amended";
+    run.participant = code;
+    run.step = "run";
+    store.studies().record_step(run);
+    const auto sus = curriculum::load_questionnaire("sus");
+    db::AnswerRecord record;
+    record.study_id = "amended";
+    record.participant = code;
+    record.demonstration = true;
+    record.questionnaire_id = sus.id;
+    for (const auto& each : sus.items) record.answers[each.id] = "3";
+    db::submit_answers(store, sus, record);
+    return code;
+}
+
+TEST_F(StudyReportTest, EverybodysStepsAreThoseOfTheirVersion) {
+    store->definitions().publish(amended_study(1));
+    const std::string first = taken_part(*store);
+    using Reached = std::vector<std::pair<std::string, int>>;
+    const auto flow = [&] {
+        return reports::flow_numbers(reports::read_study_report(*store, "amended"));
+    };
+    const Reached once{{"First look", 1}, {"Asked before", 1}};
+    EXPECT_EQ(flow().reached, once);
+    store->definitions().publish(amended_study(2));
+    EXPECT_EQ(flow().reached, once) << "nobody is enrolled under the amendment yet";
+    EXPECT_EQ(flow().consented, 1);
+    const std::string second = taken_part(*store);
+    EXPECT_EQ(flow().reached, (Reached{{"First look", 1}, {"Asked before", 1}, {"Asked after", 1}}))
+        << "a warm-up is no procedure";
+    EXPECT_EQ(flow().consented, 2) << "each by the step of their version";
+    for (const std::string& code : {first, second})
+        store->records().note_step("amended", code, 1, "run", "coughed");
+
+    const QString pdftotext = QStandardPaths::findExecutable("pdftotext");
+    if (pdftotext.isEmpty()) GTEST_SKIP() << "pdftotext (package poppler-utils) is not installed";
+    const QString path = QString::fromStdString(folder.file("amended.pdf"));
+    reports::write_study_pdf(reports::read_study_report(*store, "amended"), path.toStdString());
+    QProcess process;
+    process.start(pdftotext, {"-layout", path, "-"});
+    ASSERT_TRUE(process.waitForFinished());
+    const QString text = QString::fromUtf8(process.readAllStandardOutput()).simplified();
+    for (const std::string& expected :
+         {std::string("protocol version 1 (n = 1) went through: consent, First look"),
+          std::string("protocol version 2 (n = 1) went through: agreement, Warming up"),
+          first + " First look", second + " Warming up"})
+        EXPECT_TRUE(text.contains(QString::fromStdString(expected))) << expected << "\nnot in\n"
+                                                                     << text.toStdString();
+}
+
 TEST_F(StudyReportTest, AnAttemptThatDoesNotCountIsNotSaidToBeAnalysed) {
     const std::string code = store->studies().new_participant(kStudy, true);
     db::record_consent(*store, kStudy, code, "en", {"read", "voluntary", "data"});

@@ -231,6 +231,35 @@ TEST_P(WebPagesTest, SayWhoIsDueForARefresher) {
     EXPECT_TRUE(one.get("/refreshers").shows("Nobody is due."));
 }
 
+// An amendment has no say in what somebody enrolled before it is to do.
+TEST_P(WebPagesTest, NameTheStepsAsTheVersionOfTheParticipantDoes) {
+    const auto store = open();
+    std::vector<std::string> codes;
+    for (const int version : {1, 2}) {
+        db::DefinitionRecord study;
+        study.kind = "study";
+        study.id = "amended";
+        study.version = version;
+        study.reason = "the committee asked for it";
+        study.json = R"({"id":"amended","version":)" + std::to_string(version) +
+                     R"(,"title":{"en":"t"},"steps":[{"id":"run","kind":"procedure","title":)"
+                     R"({"en":"Step of version )" +
+                     std::to_string(version) + R"("},"task":"diathermy_ring"}]})";
+        store->definitions().publish(study);
+        codes.push_back(store->studies().new_participant("amended"));
+        store->records().note_step("amended", codes.back(), 1, "run", "coughed");
+    }
+    Browser one = signed_in("coordinator");
+    for (const char* path : {"/studies/amended", "/studies/amended/deviations"}) {
+        const std::string body = one.get(path).body;
+        for (const size_t i : {0U, 1U}) {
+            const size_t row = body.find(codes[i]), step = body.find("Step of version ", row);
+            ASSERT_NE(step, std::string::npos) << path;
+            EXPECT_EQ(body.substr(step, 17), "Step of version " + std::to_string(i + 1)) << path;
+        }
+    }
+}
+
 double luminance(const std::string& hex) {
     const auto part = [&](size_t at) {
         const double value = std::stoi(hex.substr(at, 2), nullptr, 16) / 255.0;

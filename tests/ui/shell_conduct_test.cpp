@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QRadioButton>
+#include <array>
 #include <set>
 
 #include "curriculum/questionnaire.h"
@@ -37,10 +38,11 @@ std::string study_json(int version, const QString& title) {
     study["version"] = version;
     study["visits"] = 2;
     study["title"] = QJsonObject{{"en", title}, {"pl", title}};
+    const QString asked = QString("SUS of version %1").arg(version);
     study["steps"] =
         QJsonArray{consent, QJsonObject{{"id", "usability"},
                                         {"kind", "questionnaire"},
-                                        {"title", QJsonObject{{"en", "SUS"}, {"pl", "SUS"}}},
+                                        {"title", QJsonObject{{"en", asked}, {"pl", asked}}},
                                         {"questionnaire", "sus"}}};
     return QJsonDocument(study).toJson().toStdString();
 }
@@ -61,6 +63,7 @@ class ShellConductTest : public QObject {
     void aParticipantMayRefuseOrStop();
     void aSheetOfPaperGoesToTheVisitThatIsOpen();
     void aSecondEntryGoesToTheSetThatIsChosen();
+    void aStepIsCalledAsTheParticipantsVersionDoes();
 
  private:
     [[nodiscard]] db::Store& store() { return shell_->owner(); }
@@ -364,6 +367,23 @@ void ShellConductTest::aSecondEntryGoesToTheSetThatIsChosen() {
     // Two sets of one person are told apart where answers are corrected, too.
     auto* corrected = shell_->find<QComboBox>("correct_answers_of");
     QVERIFY(corrected->itemText(corrected->count() - 1).contains("visit 2"));
+}
+
+void ShellConductTest::aStepIsCalledAsTheParticipantsVersionDoes() {
+    const auto all = store().studies().participants(kStudy);
+    const std::array people{all.front(), all.back()};
+    QCOMPARE(people[0].protocol_version, 1);
+    QCOMPARE(people[1].protocol_version, 2);
+    for (const db::ParticipantRecord& each : people)
+        store().records().note_step(kStudy, each.code, 1, "usability", "coughed");
+    for (const db::ParticipantRecord& each : people) {
+        openData(each.code);
+        if (QTest::currentTestFailed()) return;
+        auto* deviations = shell_->find<QTableWidget>("deviations_table");
+        QVERIFY(deviations != nullptr);
+        QCOMPARE(deviations->item(0, 0)->text(),
+                 QString("SUS of version %1").arg(each.protocol_version));
+    }
 }
 
 }  // namespace placode::ui

@@ -23,8 +23,6 @@ constexpr int kShownProcedures = 6;  ///< Of a table, before it scrolls.
 ProceduresCard::ProceduresCard(AppContext& context, Page& page, const std::string& study,
                                std::function<void()> changed)
     : context_(context), page_(page), study_(study), changed_(std::move(changed)) {
-    if (const auto protocol = db::published_study(context.store(), study))
-        for (const auto& step : protocol->steps) titles_[step.id] = context.in(step.title);
     body_ = new QVBoxLayout(this);
     body_->setContentsMargins(0, 0, 0, 0);
 }
@@ -54,6 +52,9 @@ void ProceduresCard::open(const std::string& code) {
 void ProceduresCard::readRows() {
     rows_.clear();
     attempts_.clear();
+    titles_.clear();
+    if (const auto protocol = db::protocol_of(context_.store(), study_, code_))
+        for (const auto& step : protocol->steps) titles_[step.id] = context_.in(step.title);
     for (db::StepRecord& record : context_.store().studies().steps(study_)) {
         if (record.participant != code_ || record.attempt_id == 0) continue;
         // An attempt that is gone leaves its step.

@@ -43,8 +43,8 @@ class ProceduresCard : public QFrame {
     Page& page_;
     std::string study_, code_;
     std::function<void()> changed_;
-    std::map<std::string, QString> titles_;
-    std::vector<db::StepRecord> rows_;  ///< With an attempt, oldest first.
+    std::map<std::string, QString> titles_;  ///< Of steps, in the participant's version.
+    std::vector<db::StepRecord> rows_;       ///< With an attempt, oldest first.
     std::map<int64_t, db::AttemptRecord> attempts_;
     QVBoxLayout* body_ = nullptr;
     QTableWidget* table_ = nullptr;

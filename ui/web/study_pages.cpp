@@ -70,10 +70,12 @@ Html state_words(const db::Progress& progress) {
     return out;
 }
 
-std::string step_title(const std::optional<curriculum::StudyProtocol>& protocol,
+/// As the participant's version of the protocol has it.
+std::string step_title(const reports::Protocols& protocols, const std::string& code,
                        const std::string& step) {
     if (step.empty()) return "–";
-    const auto* known = protocol ? protocol->step(step) : nullptr;
+    const auto* protocol = protocols.of(code);
+    const auto* known = protocol != nullptr ? protocol->step(step) : nullptr;
     return known != nullptr && !known->title.en.empty() ? in_words(known->title) : step;
 }
 
@@ -113,9 +115,8 @@ Html sums(const std::vector<db::Progress>& progress, const States& states, size_
 }
 
 Html records_card(const Visit& visit, const std::string& study,
-                  const std::vector<db::Progress>& progress, const States& states,
-                  const std::vector<db::AnswerRecord>& answers) {
-    const auto protocol = db::published_study(visit.store, study);
+                  const std::vector<db::Progress>& progress, const reports::StudyReport& report) {
+    const auto& answers = report.data.answers;
     const Part part = part_of(visit, static_cast<int64_t>(progress.size()));
     Table table(Web::phrase("Records by code"), {{Web::phrase("Code")},
                                                  {Web::phrase("State")},
@@ -133,8 +134,8 @@ Html records_card(const Visit& visit, const std::string& study,
         table.row(
             {text(code), state_words(each),
              each.total == 0 ? dash() : Web::phrase("%1 of %2", text(each.done), text(each.total)),
-             text(step_title(protocol, each.next)), text(sets), record_words(states, code),
-             day(each.last_utc)});
+             text(step_title(report.protocols, code, each.next)), text(sets),
+             record_words(report.record_states, code), day(each.last_utc)});
     }
     Html body;
     body << table.html() << pager(part, "/studies/" + path_part(study), {});
@@ -183,8 +184,7 @@ PageText study_page(const Visit& visit) {
     });
     const QString uncounted = reports::uncounted_words(reports::attempt_counts(report.data));
     if (!uncounted.isEmpty()) drawing << "<p>" << text(uncounted) << "</p>";
-    body << card(Web::phrase("Flow"), drawing)
-         << records_card(visit, study, progress, report.record_states, report.data.answers);
+    body << card(Web::phrase("Flow"), drawing) << records_card(visit, study, progress, report);
     return {text(title), body};
 }
 
@@ -232,7 +232,8 @@ PageText entries_page(const Visit& visit) {
 PageText deviations_page(const Visit& visit) {
     const std::string study = study_of(visit);
     const std::string title = title_of(visit, study);
-    const auto protocol = db::published_study(visit.store, study);
+    const reports::Protocols protocols(visit.store, study,
+                                       visit.store.studies().participants(study));
     const auto deviations = db::study_deviations(visit.store, study);
     const Part part = part_of(visit, static_cast<int64_t>(deviations.size()));
     Table table(Web::count_phrase("%n deviation(s) or note(s)", deviations.size()),
@@ -243,7 +244,7 @@ PageText deviations_page(const Visit& visit) {
                  {Web::phrase("On")}});
     for (int64_t i = part.first; i < part.past; ++i) {
         const db::Deviation& each = deviations[static_cast<size_t>(i)];
-        Html step = text(step_title(protocol, each.step));
+        Html step = text(step_title(protocols, each.participant, each.step));
         if (each.visit > 1) step << ", " << Web::phrase("visit %1", text(each.visit));
         table.row({text(each.participant), step, text(reports::deviation_title(each.kind)),
                    text(reports::deviation_words(each)), day(each.at_utc)});
