@@ -260,6 +260,32 @@ TEST_P(WebPagesTest, NameTheStepsAsTheVersionOfTheParticipantDoes) {
     }
 }
 
+// The same sheet comes again at every visit.
+TEST_P(WebPagesTest, SayOfWhichVisitTheEntriesDiffer) {
+    const auto store = open();
+    db::AnswerRecord again = store->studies().answers(RightsWorld::kStudy).front();
+    again.visit = 2;
+    again.answers[people.item] = "2";
+    const std::map<int64_t, std::string> typed_again{
+        {people.answers, "5"},
+        {db::submit_answers(*store, curriculum::load_questionnaire("sus"), again), "1"}};
+    for (const db::AnswerRecord& each : store->studies().answers(RightsWorld::kStudy)) {
+        db::SecondEntry entry;
+        entry.answer_id = each.id;
+        entry.answers = each.answers;
+        entry.answers[people.item] = typed_again.at(each.id);
+        store->records().save_second_entry(entry);
+    }
+    const Seen seen =
+        signed_in("coordinator").get(std::string("/studies/") + RightsWorld::kStudy + "/entries");
+    EXPECT_TRUE(seen.shows("<th scope=\"col\" class=\"number\">Visit</th>"));
+    for (const auto& [visit, entries] : std::map<std::string, std::string>{
+             {"1", "<td>4</td><td>5</td>"}, {"2", "<td>2</td><td>1</td>"}})
+        EXPECT_TRUE(seen.shows("<td>sus</td><td class=\"number\">" + visit + "</td><td>" +
+                               people.item + "</td>" + entries))
+            << seen.body;
+}
+
 double luminance(const std::string& hex) {
     const auto part = [&](size_t at) {
         const double value = std::stoi(hex.substr(at, 2), nullptr, 16) / 255.0;

@@ -200,14 +200,15 @@ PageText entries_page(const Visit& visit) {
     Table table(Web::count_phrase("%n open difference(s)", differences.size()),
                 {{Web::phrase("Code")},
                  {Web::phrase("Questionnaire")},
+                 {Web::phrase("Visit"), true},
                  {Web::phrase("Item")},
                  {Web::phrase("First entry")},
                  {Web::phrase("Second entry")}});
     const auto answer = [](const std::string& said) { return said.empty() ? dash() : text(said); };
     for (int64_t i = part.first; i < part.past; ++i) {
         const db::EntryDifference& each = differences[static_cast<size_t>(i)];
-        table.row({text(each.participant), text(each.questionnaire_id), text(each.item),
-                   answer(each.first), answer(each.second)});
+        table.row({text(each.participant), text(each.questionnaire_id), text(each.visit),
+                   text(each.item), answer(each.first), answer(each.second)});
     }
     if (differences.empty())
         open << "<p>" << Web::phrase("There are no open differences.") << "</p>";

@@ -12970,6 +12970,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Kwestionariusz</translation>
     </message>
     <message>
+        <source>Visit</source>
+        <translation>Wizyta</translation>
+    </message>
+    <message>
         <source>Item</source>
         <translation>Pytanie</translation>
     </message>
