@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/attempt_seal.h"
 
-#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <iterator>
@@ -14,6 +13,7 @@
 #include "db/recording_seal.h"
 #include "db/station.h"
 #include "db/store.h"
+#include "sim/core/hidden_letters.h"
 #include "sim/core/number_text.h"
 
 namespace placode::db {
@@ -35,13 +35,13 @@ std::string hexadecimal(uint64_t value) {
     return error == std::errc() ? std::string(text, end) : std::string();
 }
 
-/// A value stays on its line: what a name or a remark holds must not look like another statement.
+/// A value stays on its line, whatever its reader takes for the end of one (U+2028, U+0085): what a
+/// name or a remark holds must not look like another statement.
 class Page {
  public:
-    void line(std::string_view name, std::string value) {
-        std::replace_if(
-            value.begin(), value.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-        text_.append(name).append(": ").append(value.empty() ? "-" : value).append("\n");
+    void line(std::string_view name, const std::string& value) {
+        text_.append(name).append(": ");
+        text_.append(value.empty() ? "-" : sim::without_hidden_letters(value)).append("\n");
     }
     void line(std::string_view name, int64_t value) { line(name, std::to_string(value)); }
     [[nodiscard]] std::string take() { return std::move(text_); }

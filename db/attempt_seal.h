@@ -17,7 +17,8 @@ inline constexpr const char* kSealTitle = "Placode seal of an attempt 1";
 
 /// Lines "name: value" in UTF-8: whose attempt it is, task and case, exam and proctor, score,
 /// whether it counts and why not, what simulating it again gave, checksums, and who states it; last
-/// the signature over all lines above it.
+/// the signature over all lines above it. Of a letter that is not seen (an end of a line as well)
+/// stands U+FFFD.
 /// @param recording_file the attempt's recording, as Attempts::extract_recording() wrote it.
 /// @throws StoreError kNotFound; kUnavailable on a computer that can have no key; kRefused where a
 /// server does not trust its key. A file trusts the computer that has it, and the page says so.

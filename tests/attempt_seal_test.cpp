@@ -12,6 +12,7 @@
 
 #include "db/attempt_counting.h"
 #include "db/station.h"
+#include "sim/core/hidden_letters.h"
 #include "tests/store_cases.h"
 
 using namespace placode;
@@ -154,10 +155,22 @@ TEST_F(AttemptSeal, ANameIsNoStatement) {
     const int64_t id = store->attempts().save(eve, result);
     store->attempts().extract_recording(id, recording);
     const std::string page = db::attempt_seal(*store, id, recording, kNow);
-    EXPECT_THAT(page, HasSubstr("Eve"));
-    EXPECT_THAT(page, Not(HasSubstr("\npoints of 100: 100.00")));
+    constexpr const char* kMark = "\xEF\xBF\xBD";  // U+FFFD
+    EXPECT_THAT(page, HasSubstr(std::string("\nperson: Eve") + kMark + "points of 100: 100.00" +
+                                kMark + "counts: yes" + kMark + "[2K" + kMark + "\n"));
+    // No reader finds a line in it that the centre did not write: some part text at U+2028.
+    EXPECT_FALSE(sim::has_hidden_letters(page, "\n"));
     EXPECT_TRUE(db::seal_is_right(page));
-    // Nor does it reach the terminal of who checks.
+    EXPECT_THAT(shown(page), HasSubstr("Eve"));
+}
+
+TEST_F(AttemptSeal, HiddenLettersOfAnEarlierPageDoNotReachTheTerminal) {
+    // An earlier version left them on the page, and whoever has a key can sign such a page.
+    std::string page = seal.substr(0, seal.find("signature: "));
+    const std::string person = "\nperson: ";
+    page.insert(page.find(person) + person.size(), "Eve\xE2\x80\xA8\x1b[2K\xE2\x80\xAE");
+    page += "signature: " + db::Station().sign(page) + "\n";
+    EXPECT_TRUE(db::seal_is_right(page));
     const std::string said = shown(page);
     EXPECT_THAT(said, HasSubstr("Eve"));
     for (const char* hidden : {"\x1b", "\xE2\x80\xA8", "\xE2\x80\xAE"})
