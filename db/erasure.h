@@ -11,13 +11,9 @@
 #include <vector>
 
 #include "db/store.h"
+#include "db/store_copies.h"
 
 namespace placode::db {
-
-/// A copy that may still hold the person.
-struct LeftCopy {
-    std::string path, why;
-};
 
 struct Erasure {
     int64_t user_id = 0;
@@ -32,27 +28,6 @@ struct Erasure {
     /// Recordings of the person that nobody had saved, which are removed.
     std::vector<std::string> recordings;
 };
-
-/// Files with copies of the embedded store at `url` that are there now: beside it, and backups that
-/// its trail names. Of a server: none.
-[[nodiscard]] std::vector<std::string> copies_of(Store& store, const std::string& url);
-
-/// Copies that may still hold the records of a participant who was just erased in the embedded
-/// store at `url`: nothing goes through them, and a restore of one erases again (db/ended_again.h).
-/// Opens the file by itself, because whoever may erase such records may not read where backups lie.
-/// Of a server: none. Throws nothing but for an address that cannot be read.
-[[nodiscard]] std::vector<LeftCopy> copies_with_records(const std::string& url);
-
-/// Where an embedded store's recordings lie until they are saved; "" of a server, where each
-/// computer has a folder of its own.
-[[nodiscard]] std::string recordings_beside(const std::string& url);
-
-enum class Unsaved : uint8_t { kName, kRemove };
-/// Recordings in that folder which a crash left of a participant: nothing more is saved of who has
-/// withdrawn. kRemove: they go, with the files that say whose they are. One that is being written
-/// is left out.
-std::vector<std::string> unsaved_recordings(const std::string& folder, const StudyContext& whose,
-                                            Unsaved what);
 
 /// As Accounts::erase(), which it throws as; then the copies, where nothing throws any more.
 /// @param url of the store, as it was opened.

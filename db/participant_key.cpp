@@ -238,9 +238,8 @@ void ParticipantKey::change_passphrase(const std::string& passphrase) {
 std::string default_key_path(const std::string& store_url, const std::string& study_id) {
     const StoreUrl url = parse_store_url(store_url);
     const QString folder =
-        url.engine == Engine::kSqlite && url.path != ":memory:"
-            ? QFileInfo(QString::fromStdString(url.path)).absolutePath()
-            : QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+        is_store_file(url) ? QFileInfo(QString::fromStdString(url.path)).absolutePath()
+                           : QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
     return (folder + "/keys/" + QString::fromStdString(study_id) + ".placode-key").toStdString();
 }
 

@@ -4,12 +4,24 @@
 
 #include <sqlite3.h>
 
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <algorithm>
 
 #include "db/packing.h"
 #include "db/recording_chunks.h"
 
 namespace placode::db {
+
+std::optional<BesideRecording> order_beside(const std::string& recording_file) {
+    QFile file(QString::fromStdString(order_file(recording_file)));
+    if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
+    const QByteArray text = file.readAll();
+    const QJsonObject json = QJsonDocument::fromJson(text).object();
+    return BesideRecording{json["user_id"].toInteger(), json["study"].toString().toStdString(),
+                           json["participant"].toString().toStdString(), text.toStdString()};
+}
 
 std::string order_checksum(const std::string& order) {
     return checksum_hex("placode order 1\n" + order);

@@ -7,14 +7,31 @@
 // changed later does not fit. It holds no more than that: recordings are passed on, and names stay
 // apart from training data.
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "db/void_reason.h"
 
 namespace placode::db {
 
 inline constexpr const char* kOrderKey = "order";  ///< Of the file's `meta`.
+
+/// Behind the name of a recording: the file with its order.
+inline constexpr std::string_view kOrderSuffix = ".order.json";
+[[nodiscard]] inline std::string order_file(const std::string& recording_file) {
+    return recording_file + std::string(kOrderSuffix);
+}
+
+/// What lies beside a recording, as far as it says whose the attempt is.
+struct BesideRecording {
+    int64_t user_id = 0;             ///< 0: it does not say.
+    std::string study, participant;  ///< "" for none.
+    std::string text;                ///< The whole, also of what is no order.
+};
+/// Nothing where there is no file, or it cannot be read.
+[[nodiscard]] std::optional<BesideRecording> order_beside(const std::string& recording_file);
 
 /// Of the text of an order, hexadecimal. The text should hold something that nobody guesses.
 [[nodiscard]] std::string order_checksum(const std::string& order);

@@ -28,6 +28,11 @@ struct StoreUrl {
 /// Throws StoreError(kOther) saying what was found and what is expected.
 [[nodiscard]] StoreUrl parse_store_url(const std::string& url);
 
+/// True for a store that is a file.
+[[nodiscard]] inline bool is_store_file(const StoreUrl& url) {
+    return url.engine == Engine::kSqlite && url.path != ":memory:";
+}
+
 /// True where whoever opens this has to be asked for a password first: a server, and neither the
 /// address nor $PGPASSWORD nor a password file ($PGPASSFILE, ~/.pgpass) has one for it.
 [[nodiscard]] bool needs_password(const StoreUrl& url);

@@ -214,4 +214,33 @@ TEST_F(AttemptOrders, TheRecordingHoldsNoNames) {
     EXPECT_NE(db::recorded_order(same.recording_file.toStdString()), begun);
 }
 
+TEST_F(AttemptOrders, AnErasureReadsWhoseARecordingIsAsTheShellWroteIt) {
+    ui::AttemptOrder order;
+    order.user_id = anna;
+    order.task = "touch_targets";
+    order.study = "pilot";
+    order.participant = "P001-X";
+    ui::write_order(order, QString::fromStdString(folder.file("recordings")));
+    const std::string recording = order.recording_file.toStdString();
+    EXPECT_EQ(db::order_file(recording), beside(order).toStdString());
+    const auto found = db::order_beside(recording);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->user_id, anna);
+    EXPECT_EQ(found->study, "pilot");
+    EXPECT_EQ(found->participant, "P001-X");
+    EXPECT_EQ(found->text, read(beside(order)));
+    // What is no order says nothing of whose it is; its text may name somebody all the same.
+    QFile file(beside(order));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    ASSERT_EQ(file.write("anna was here"), 13);
+    file.close();
+    const auto damaged = db::order_beside(recording);
+    ASSERT_TRUE(damaged);
+    EXPECT_EQ(damaged->user_id, 0);
+    EXPECT_EQ(damaged->study + damaged->participant, "");
+    EXPECT_EQ(damaged->text, "anna was here");
+    ASSERT_TRUE(file.remove());
+    EXPECT_FALSE(db::order_beside(recording));
+}
+
 }  // namespace THIS_TEST

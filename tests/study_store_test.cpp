@@ -16,6 +16,7 @@
 #include "db/store.h"
 #include "db/study_conduct.h"
 #include "db/study_records.h"
+#include "db/unsaved_recordings.h"
 #include "tests/recorded_attempt.h"
 #include "tests/store_fixture.h"
 

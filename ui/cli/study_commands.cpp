@@ -7,10 +7,11 @@
 #include <memory>
 
 #include "curriculum/study.h"
-#include "db/erasure.h"
 #include "db/participant.h"
+#include "db/store_copies.h"
 #include "db/store_url.h"
 #include "db/study_conduct.h"
+#include "db/unsaved_recordings.h"
 #include "sim/core/near_word.h"
 #include "ui/cli/session.h"
 #include "ui/cli/study_options.h"

@@ -29,7 +29,9 @@
 namespace placode::ui {
 namespace {
 
-QString order_file(const QString& recording_file) { return recording_file + ".order.json"; }
+QString order_file(const QString& recording_file) {
+    return QString::fromStdString(db::order_file(recording_file.toStdString()));
+}
 
 /// Without it the checksum in a recording that is passed on would tell who it is of: somebody could
 /// try out the names.
@@ -229,8 +231,9 @@ std::vector<Leftover> find_leftovers(const QString& folder, Depth depth,
 }
 
 void remove_recording(const QString& recording_file) {
-    for (const char* suffix : {"", "-wal", "-shm", "-journal", kWaitingSuffix, ".order.json"})
+    for (const char* suffix : {"", "-wal", "-shm", "-journal", kWaitingSuffix})
         QFile::remove(recording_file + suffix);
+    QFile::remove(order_file(recording_file));
 }
 
 SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {

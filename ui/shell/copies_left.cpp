@@ -4,7 +4,7 @@
 
 #include <QCoreApplication>
 
-#include "db/erasure.h"
+#include "db/store_copies.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {

@@ -10,8 +10,8 @@
 #include <algorithm>
 
 #include "curriculum/study.h"
-#include "db/erasure.h"
 #include "db/study_conduct.h"
+#include "db/unsaved_recordings.h"
 #include "ui/shell/device_tester.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/study_exports.h"
