@@ -263,4 +263,31 @@ TEST_F(Programs, AProcedureOfAStudyIsJudgedRepeatedAndNotedOnTheCommandLine) {
     EXPECT_THAT(carl("study status face_content_validity").out, HasSubstr("data are erased"));
 }
 
+TEST_F(Programs, WhoErasesOverdueRecordsIsToldWhereTheyStillAre) {
+    add_user("carl", "coordinator");
+    const auto carl = [&](const std::string& arguments) {
+        return ctl("--as carl " + arguments, kRight);
+    };
+    write_text(file("pilot.json"), R"({"id":"pilot","version":1,"title":{"en":"t"},"keep_years":5,)"
+                                   R"("consent":{"version":1,"information":[{"en":"i"}],)"
+                                   R"("statements":[{"id":"a","text":{"en":"yes"}}]},)"
+                                   R"("steps":[{"id":"consent","kind":"consent"},)"
+                                   R"({"id":"run","kind":"procedure","task":"diathermy_ring"}]})");
+    const Outcome published = carl("study publish pilot.json");
+    ASSERT_EQ(published.status, 0) << published.err;
+    const Outcome enrolled = carl("study enrol pilot --consented");
+    ASSERT_EQ(enrolled.status, 0) << enrolled.err;
+    const std::string code = enrolled.out.substr(0, 6);
+    ASSERT_EQ(ctl("backup before.db").status, 0);
+    const Outcome early = carl("--json study retention pilot --erase");
+    EXPECT_EQ(early.status, 0) << early.err;
+    EXPECT_THAT(early.out, Not(HasSubstr("before.db"))) << "nothing was erased";
+    ASSERT_TRUE(RawConnection("QSQLITE", store)
+                    .run("UPDATE study_steps SET at_utc = '2010-01-31T12:00:00.000Z'"));
+    const Outcome erased = carl("study retention pilot --erase");
+    EXPECT_EQ(erased.status, 0) << erased.err;
+    EXPECT_THAT(erased.out, AllOf(HasSubstr("erased: " + code),
+                                  HasSubstr("may still hold the data: "), HasSubstr("before.db")));
+}
+
 }  // namespace THIS_TEST

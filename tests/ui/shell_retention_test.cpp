@@ -115,10 +115,22 @@ void ShellRetentionTest::whatIsOverdueIsErasedAfterAQuestion() {
     shell.whole("69_retention_pl");
     shell.context().setLanguage("en");
     QVERIFY(shell.arrives(PageId::kStudyData));
+    QVERIFY(shell.find<QLabel>("copies_left") == nullptr);
+    const QString copy = shell.path("before_the_erasure.db");
+    shell.owner().backup(copy.toStdString());
     shell.confirmNext();
     QVERIFY(shell.click("erase_overdue"));
     QVERIFY(QTest::qWaitFor([&] { return shell.find<QPushButton>("erase_overdue") == nullptr; },
                             10000));
+    // Who erases is told where the records still are, also in the other language.
+    for (const char* language : {"pl", "en"}) {
+        const auto* left = shell.find<QLabel>("copies_left");
+        QVERIFY(left != nullptr && left->text().contains(copy));
+        QVERIFY(left->text().contains(QString::fromStdString(old_)));
+        QVERIFY(!left->text().contains(QString::fromStdString(young_)));
+        shell.context().setLanguage(language);
+        QVERIFY(shell.arrives(PageId::kStudyData));
+    }
     const auto steps = shell.owner().studies().steps(kStudy);
     QCOMPARE(steps.size(), size_t{1});
     QCOMPARE(steps[0].participant, young_);

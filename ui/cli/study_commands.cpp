@@ -18,6 +18,19 @@
 #include "ui/cli/study_records.h"
 
 namespace placode::cli {
+
+std::string copies_left(const Context& context, Json& left) {
+    const std::string url = store_url_of(context);
+    std::string text;
+    for (const db::LeftCopy& each : db::copies_with_records(url)) {
+        left.push_back({{"path", each.path}, {"why", each.why}});
+        text += "\nmay still hold the data: " + each.path + ": " + each.why;
+    }
+    if (db::parse_store_url(url).engine == db::Engine::kPostgresql)
+        text += "\nbackups of the server may still hold the data; ask its administrator";
+    return text;
+}
+
 namespace {
 
 using db::Action;
@@ -132,19 +145,6 @@ int status(const Context& context, const StudyOptions& options) {
     }
     print(context, json, table(rows));
     return 0;
-}
-
-/// Where the data of who is erased may still be, a line each; into `left` for programs.
-std::string copies_left(const Context& context, Json& left) {
-    const std::string url = store_url_of(context);
-    std::string text;
-    for (const db::LeftCopy& each : db::copies_with_records(url)) {
-        left.push_back({{"path", each.path}, {"why", each.why}});
-        text += "\nmay still hold the data: " + each.path + ": " + each.why;
-    }
-    if (db::parse_store_url(url).engine == db::Engine::kPostgresql)
-        text += "\nbackups of the server may still hold the data; ask its administrator";
-    return text;
 }
 
 int withdraw(const Context& context, const StudyOptions& options) {

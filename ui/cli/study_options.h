@@ -32,6 +32,10 @@ std::string need_code(const std::string& code);
                                                            const std::string& study,
                                                            const std::string& code);
 
+// study_commands.cpp
+/// Where the data of who was just erased may still be, a line each; into `left` for programs.
+[[nodiscard]] std::string copies_left(const Context& context, Json& left);
+
 // study_definition_commands.cpp
 /// list, show, publish of a kind of definition: "study" or "questionnaire".
 void add_definition_commands(CLI::App& group, Context& context, const std::string& kind,

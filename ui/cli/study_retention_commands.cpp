@@ -56,7 +56,9 @@ int retention(const Context& context, const RetentionOptions& options) {
     const auto erased = db::erase_overdue(session.store(), options.study, db::utc_now());
     std::string text = erased.empty() ? "nothing is overdue; nothing was erased" : "erased:";
     for (const std::string& code : erased) text += " " + code;
-    print(context, {{"study", options.study}, {"erased", erased}}, text);
+    Json left = Json::array();
+    if (!erased.empty()) text += copies_left(context, left);
+    print(context, {{"study", options.study}, {"erased", erased}, {"left", left}}, text);
     return 0;
 }
 

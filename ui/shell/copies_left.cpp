@@ -14,11 +14,11 @@ struct CopiesLeft {
     Q_DECLARE_TR_FUNCTIONS(CopiesLeft)
 };
 
-QString copies_left(AppContext& context, const QString& participant) {
+QString copies_left(AppContext& context, const QString& codes) {
     if (!context.storeIsFile())
         return CopiesLeft::tr(
                    "Backups of the server may still hold the data of %1; ask its administrator.")
-            .arg(participant);
+            .arg(codes);
     QStringList left;
     for (const db::LeftCopy& each : db::copies_with_records(context.storeUrl()))
         left << qstr(each.path);
@@ -26,15 +26,15 @@ QString copies_left(AppContext& context, const QString& participant) {
     return CopiesLeft::tr(
                "These copies may still hold the data of %1. A restore erases them again; delete "
                "the copies that you do not need:")
-               .arg(participant) +
+               .arg(codes) +
            '\n' + left.join('\n');
 }
 
 }  // namespace
 
-QLabel* make_copies_left(AppContext& context, const QString& participant) {
-    if (participant.isEmpty()) return nullptr;
-    const QString text = copies_left(context, participant);
+QLabel* make_copies_left(AppContext& context, const QString& codes) {
+    if (codes.isEmpty()) return nullptr;
+    const QString text = copies_left(context, codes);
     if (text.isEmpty()) return nullptr;
     QLabel* label = make_label(text, "warn");
     label->setObjectName("copies_left");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where the data of a participant who was just erased may still be.
+// Where the data of participants who were just erased may still be.
 
 #include <QLabel>
 
@@ -10,6 +10,7 @@
 namespace placode::ui {
 
 /// The copies of the store, as a warning; nullptr where there are none, and for no participant.
-[[nodiscard]] QLabel* make_copies_left(AppContext& context, const QString& participant);
+/// @param codes of the participants, for people.
+[[nodiscard]] QLabel* make_copies_left(AppContext& context, const QString& codes);
 
 }  // namespace placode::ui

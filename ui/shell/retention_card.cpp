@@ -21,7 +21,7 @@ struct RetentionWords {
 QString day_of(const std::string& utc) { return qstr(utc.substr(0, 10)); }
 
 void erase_now(AppContext& context, Page& page, const std::string& study, const QStringList& codes,
-               const std::function<void()>& again) {
+               const std::function<void(const QString& codes)>& erased) {
     const int count = static_cast<int>(codes.size());
     if (!confirm(&page, RetentionWords::tr("Erase the records of %n participant(s)?", "", count),
                  RetentionWords::tr("Answers, attempts and signatures of %1 are deleted. Codes and "
@@ -31,17 +31,19 @@ void erase_now(AppContext& context, Page& page, const std::string& study, const 
         return;
     context.guard(RetentionWords::tr("Erasing records"), [&] {
         context.require(db::Action::kRunQuestionnaire);
-        const auto erased = db::erase_overdue(context.store(), study, db::utc_now());
+        QStringList gone;
+        for (const std::string& code : db::erase_overdue(context.store(), study, db::utc_now()))
+            gone << qstr(code);
         Q_EMIT page.notice(RetentionWords::tr("The records of %n participant(s) are erased.", "",
-                                              static_cast<int>(erased.size())));
-        again();
+                                              static_cast<int>(gone.size())));
+        erased(gone.join(", "));
     });
 }
 
 }  // namespace
 
 QWidget* make_retention_card(AppContext& context, Page& page, const std::string& study,
-                             const std::function<void()>& again) {
+                             const std::function<void(const QString& codes)>& erased) {
     const std::vector<db::KeptRecords> kept = db::kept_records(context.store(), study);
     if (kept.empty()) return nullptr;
     QStringList overdue;
@@ -69,8 +71,8 @@ QWidget* make_retention_card(AppContext& context, Page& page, const std::string&
     layout->addWidget(due);
     QPushButton* erase =
         make_action(context, &page, RetentionWords::tr("Erase these records"), "danger", "close",
-                    "erase_overdue", [&context, &page, study, overdue, again] {
-                        erase_now(context, page, study, overdue, again);
+                    "erase_overdue", [&context, &page, study, overdue, erased] {
+                        erase_now(context, page, study, overdue, erased);
                     });
     layout->addWidget(erase, 0, Qt::AlignLeft);
     return make_card(layout);

@@ -11,9 +11,10 @@
 namespace placode::ui {
 
 /// nullptr where the protocol does not say how long, or nobody has records.
-/// @param again shows the page anew after something was erased.
+/// @param erased shows the page anew after the records of these codes were erased, and where they
+/// may still be.
 [[nodiscard]] QWidget* make_retention_card(AppContext& context, Page& page,
                                            const std::string& study,
-                                           const std::function<void()>& again);
+                                           const std::function<void(const QString& codes)>& erased);
 
 }  // namespace placode::ui

@@ -11,6 +11,7 @@
 #include "db/study_conduct.h"
 #include "db/study_records.h"
 #include "reports/dataset.h"
+#include "ui/shell/copies_left.h"
 #include "ui/shell/names_card.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -30,6 +31,7 @@ class StudyDataPage : public Page {
         context.require(db::Action::kRunQuestionnaire);
         ids_ = context.store().studies().ids();
         study_ = chosen_study(context, ids_, place.state.value("study").toString());
+        erased_ = place.state.value("erased").toString();
         QVBoxLayout* column = make_column(this);
         auto* head = new QHBoxLayout;
         head->addWidget(make_label(tr("Data"), "display"), 1);
@@ -54,6 +56,7 @@ class StudyDataPage : public Page {
             return;
         }
         read();
+        if (QLabel* left = make_copies_left(context, erased_)) column->addWidget(left);
         column->addWidget(make_label(summary(), "muted"));
         column->addWidget(recordsCard(place.text));
         auto* procedures = new ProceduresCard(context, *this, study_, [this] { again(); });
@@ -67,13 +70,20 @@ class StudyDataPage : public Page {
         column->addWidget(
             make_corrections_card(context, *this, answers_, corrections_, [this] { again(); }));
         column->addWidget(make_names_card(context, *this, study_, codes()));
-        if (QWidget* kept = make_retention_card(context, *this, study_, [this] { again(); }))
+        const auto erased = [this](const QString& codes) {
+            Q_EMIT go(
+                {PageId::kStudyData, 0, selected(), {{"study", qstr(study_)}, {"erased", codes}}});
+        };
+        if (QWidget* kept = make_retention_card(context, *this, study_, erased))
             column->addWidget(kept);
         column->addStretch();
     }
 
     [[nodiscard]] QString title() const override { return tr("Data"); }
-    [[nodiscard]] QVariantMap state() const override { return {{"study", qstr(study_)}}; }
+    /// A change of theme or language still says where erased records may be.
+    [[nodiscard]] QVariantMap state() const override {
+        return {{"study", qstr(study_)}, {"erased", erased_}};
+    }
 
  private:
     void read() {
@@ -219,6 +229,7 @@ class StudyDataPage : public Page {
 
     std::vector<std::string> ids_;
     std::string study_;
+    QString erased_;  ///< Participants whose records were just erased, or none.
     std::vector<db::Progress> progress_;
     std::vector<db::AnswerRecord> answers_;
     std::map<std::string, db::RecordState> states_;

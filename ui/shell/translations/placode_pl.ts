@@ -14666,11 +14666,11 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <name>CopiesLeft</name>
     <message>
         <source>Backups of the server may still hold the data of %1; ask its administrator.</source>
-        <translation>Kopie zapasowe serwera mogą jeszcze zawierać dane uczestnika %1; zapytaj administratora serwera.</translation>
+        <translation>Kopie zapasowe serwera mogą jeszcze zawierać usunięte dane (%1); zapytaj administratora serwera.</translation>
     </message>
     <message>
         <source>These copies may still hold the data of %1. A restore erases them again; delete the copies that you do not need:</source>
-        <translation>Te kopie mogą jeszcze zawierać dane uczestnika %1. Przywrócenie usunie je ponownie; usuń kopie, których nie potrzebujesz:</translation>
+        <translation>Te kopie mogą jeszcze zawierać usunięte dane (%1). Przywrócenie usunie je ponownie; usuń kopie, których nie potrzebujesz:</translation>
     </message>
 </context>
 </TS>
