@@ -272,6 +272,8 @@ OwnData write_own_data(db::Store& store, int64_t user_id, const std::string& fol
     for (const db::AttemptRecord& record : attempts) list.append(attempt_json(store, record));
     json["attempts"] = list;
     written.attempts = static_cast<int>(attempts.size());
+    // Before the first file: nothing leaves without its entry.
+    store.audit().write(user->login, "user.data", "user " + std::to_string(user_id), folder);
     make_private_folder(folder);
     save_private_file(folder + "/my_data.json", QJsonDocument(json).toJson().toStdString());
     for (const db::AttemptRecord& record : attempts) {
@@ -286,7 +288,6 @@ OwnData write_own_data(db::Store& store, int64_t user_id, const std::string& fol
             if (problem.kind() != db::StoreError::Kind::kNotFound) throw;
         }
     }
-    store.audit().write(user->login, "user.data", "user " + std::to_string(user_id), folder);
     return written;
 }
 

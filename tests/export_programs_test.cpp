@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "db/recording_file.h"
 #include "db/store.h"
@@ -21,35 +22,46 @@ namespace THIS_TEST {
 
 test::World* const world = test::World::install();
 
-TEST_F(Programs, AttemptsAndAnswersLeaveTheStoreAsCsvAndPdf) {
-    ASSERT_NE(world, nullptr);
-    const std::string recording = file("a.placode");
-    ASSERT_EQ(run("placode-sim",
-                  "--task diathermy_ring_small --headless --fast --duration 0.3 --device "
-                  "script:expert --record a.placode")
-                  .status,
-              0);
-    const std::string zofia = "Zażółć, \"Zofia\"";
-    {
-        const auto direct = db::open_store("sqlite:" + store);
-        const int64_t user = direct->accounts().create({"zofia", zofia, "long enough 1", 1, true});
-        direct->accounts().create({"carl", "Carl", "long enough 1", 4, true});
-        db::AttemptResult result;
-        const sim::Recording read = db::read_recording_file(recording);
-        result.header = read.header;
-        result.end = read.end;
-        result.events = read.events;
-        result.metrics = assessment::compute_metrics(read);
-        result.score.points = 12.5;
-        result.recording_file = recording;
-        direct->attempts().save(user, result);
-        db::AnswerRecord answers;
-        answers.study_id = "pilot/1";
-        answers.participant = direct->studies().new_participant("pilot/1");
-        answers.questionnaire_id = "face_validity";
-        answers.answers = {{"A", "5"}, {"B", "4"}};
-        direct->studies().save_answers(answers);
+class ExportPrograms : public Programs {
+ protected:
+    /// Zofia's attempt with its recording, and what a participant answered.
+    void fill_store() const {
+        const std::string recording = file("a.placode");
+        ASSERT_EQ(run("placode-sim",
+                      "--task diathermy_ring_small --headless --fast --duration 0.3 --device "
+                      "script:expert --record a.placode")
+                      .status,
+                  0);
+        const std::string zofia = "Zażółć, \"Zofia\"";
+        {
+            const auto direct = db::open_store("sqlite:" + store);
+            const int64_t user =
+                direct->accounts().create({"zofia", zofia, "long enough 1", 1, true});
+            direct->accounts().create({"carl", "Carl", "long enough 1", 4, true});
+            direct->accounts().create({"ewa", "Ewa", "long enough 1", 2, true});
+            db::AttemptResult result;
+            const sim::Recording read = db::read_recording_file(recording);
+            result.header = read.header;
+            result.end = read.end;
+            result.events = read.events;
+            result.metrics = assessment::compute_metrics(read);
+            result.score.points = 12.5;
+            result.recording_file = recording;
+            direct->attempts().save(user, result);
+            db::AnswerRecord answers;
+            answers.study_id = "pilot/1";
+            answers.participant = direct->studies().new_participant("pilot/1");
+            answers.questionnaire_id = "face_validity";
+            answers.answers = {{"A", "5"}, {"B", "4"}};
+            direct->studies().save_answers(answers);
+        }
     }
+};
+
+TEST_F(ExportPrograms, AttemptsAndAnswersLeaveTheStoreAsCsvAndPdf) {
+    ASSERT_NE(world, nullptr);
+    fill_store();
+    ASSERT_FALSE(HasFatalFailure());
     const Outcome attempts = ctl("--as zofia attempts --json", kRight);
     EXPECT_EQ(attempts.status, 0) << attempts.err;
     EXPECT_EQ(number_in(attempts.out, "points"), 12.5);
@@ -70,6 +82,28 @@ TEST_F(Programs, AttemptsAndAnswersLeaveTheStoreAsCsvAndPdf) {
     EXPECT_EQ(ctl("report attempt 99 --out b.pdf").status, 2);
     EXPECT_EQ(ctl("report attempt first --out b.pdf").status, 2);
     EXPECT_THAT(ctl("audit").out, AllOf(HasSubstr("export.csv"), HasSubstr("report.pdf")));
+}
+
+TEST_F(ExportPrograms, NothingLeavesWithoutItsEntryInTheTrail) {
+    fill_store();
+    ASSERT_FALSE(HasFatalFailure());
+    // A file is in the way of every folder: what is written there comes to nothing, and its entry
+    // stands all the same, because it comes first.
+    write_text(file("blocked"), "");
+    constexpr std::pair<const char*, const char*> kCommands[]{
+        {"report.pdf", "--as zofia report attempt 1 --out blocked/a.pdf"},
+        {"report.seal", "--as zofia report seal 1 --out blocked/a.txt"},
+        {"report.trainee", "--as zofia report trainee zofia --out blocked/t.pdf"},
+        {"report.cohort", "--as ewa report cohort all --out blocked/c.pdf"},
+        {"export.csv", "--as carl export csv --study pilot/1 --out blocked/e"},
+        {"user.data", "--as zofia user data --out blocked/d"}};
+    for (const auto& [action, command] : kCommands) {
+        EXPECT_NE(ctl(command, kRight).status, 0) << command;
+        const auto entries = db::open_store("sqlite:" + store)->audit().of_action(action);
+        ASSERT_EQ(entries.size(), 1u) << command;
+        EXPECT_THAT(entries[0].detail, HasSubstr("blocked/")) << command;
+    }
+    EXPECT_EQ(fs::file_size(file("blocked")), 0u);
 }
 
 TEST_F(Programs, TheStudyOfThePaperRunsAndLeavesInEveryFormat) {
@@ -135,6 +169,10 @@ TEST_F(Programs, TheStudyOfThePaperRunsAndLeavesInEveryFormat) {
     EXPECT_EQ(report.status, 0) << report.err;
     EXPECT_THAT(read_text(file("study.pdf")), testing::StartsWith("%PDF-"));
     EXPECT_TRUE(fs::exists(file("study_figures/likert_face_validity_1.svg")));
+    write_text(file("blocked"), "");
+    EXPECT_NE(carl("report study face_content_validity --out blocked/s.pdf").status, 0);
+    EXPECT_EQ(db::open_store("sqlite:" + store)->audit().of_action("report.study").size(), 2u)
+        << "the entry comes before the file";
     EXPECT_EQ(carl("report study none --out none.pdf").status, 2);
     EXPECT_FALSE(fs::exists(file("none.pdf")));
     EXPECT_EQ(carl("export word --study face_content_validity").status, 2);

@@ -290,6 +290,10 @@ TEST_F(TrainingPrograms, StandardsAreSetFromGroupsAndExchangedSigned) {
     EXPECT_THAT(made.out, AllOf(HasSubstr("\"persons\": 5"), Not(HasSubstr("Person"))));
     EXPECT_THAT(as("anna", "norms list").out, HasSubstr("expert 5, novice 5"));
     EXPECT_EQ(as("ewa", "norms export 1 --out n.json").status, 0);
+    EXPECT_EQ(as("ewa", "norms export 1 --out n.json/n.json").status, 2);
+    EXPECT_EQ(db::open_store("sqlite:" + store, cheap())->audit().of_action("norms.export").size(),
+              2u)
+        << "the entry comes before the file";
     EXPECT_EQ(as("ewa", "norms import n.json").status, 0) << "its own is known";
     EXPECT_EQ(as("ewa", "norms apply 1").status, 0);
     EXPECT_EQ(as("ewa", "norms apply 9").status, 2);
@@ -485,6 +489,11 @@ TEST_F(TrainingPrograms, ReportsAndTheCertificateAreWritten) {
     const Outcome certificate = as("anna", "--json report certificate mine --out c.pdf");
     EXPECT_EQ(certificate.status, 0) << certificate.err;
     EXPECT_THAT(certificate.out, HasSubstr("\"code\""));
+    // Also of one that is issued already, and before the file, which comes to nothing here.
+    EXPECT_NE(as("anna", "report certificate mine --out c.pdf/c.pdf").status, 0);
+    EXPECT_EQ(
+        db::open_store("sqlite:" + store, cheap())->audit().of_action("report.certificate").size(),
+        2u);
     EXPECT_EQ(as("carl", "report certificate mine --user anna --out d.pdf").status, 1);
     EXPECT_EQ(as("anna", "report trainee anna --out t.pdf").status, 0);
     EXPECT_EQ(as("carl", "report trainee anna --out d.pdf").status, 1);

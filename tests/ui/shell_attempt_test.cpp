@@ -154,6 +154,10 @@ void ShellAttemptTest::reportIsAPdf() {
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.read(5) == "%PDF-");
     QVERIFY(file.size() > 5000);
+    // It names a person: the trail holds it, as of the command line's.
+    const auto entries = shell.owner().audit().of_action("report.pdf");
+    QCOMPARE(entries.size(), size_t{1});
+    QVERIFY(entries[0].detail.ends_with("/report.pdf"));
 }
 
 void ShellAttemptTest::stoppedAttemptIsScoredForWhatWasDone() {

@@ -68,6 +68,10 @@ std::vector<batches::OrderedRecording> out_of_store(const Context& context,
     fs::create_directories(folder);
     std::vector<batches::OrderedRecording> files;
     const auto attempts = session.store().attempts().list(0, task.id);
+    // Before the first recording: nothing leaves without its entry.
+    session.store().audit().write(
+        session.actor(), "batch.extract", "task " + task.id,
+        "recordings of " + sim::counted(attempts.size(), "attempt") + " for a batch");
     for (const auto& attempt : attempts) {
         if (CancelOn::requested()) throw std::runtime_error("batch plan: stopped");
         show_progress("recording " + std::to_string(files.size() + 1) + " of " +
@@ -95,8 +99,6 @@ std::vector<batches::OrderedRecording> out_of_store(const Context& context,
                          session.store().url());
     std::sort(files.begin(), files.end(),
               [](const auto& a, const auto& b) { return a.attempt < b.attempt; });
-    session.store().audit().write(session.actor(), "batch.extract", "task " + task.id,
-                                  sim::counted(files.size(), "recording") + " for a batch");
     return files;
 }
 

@@ -160,17 +160,18 @@ int dataset(const Context& context, const DatasetOptions& options) {
     how.origin = chosen.origin;
     how.consent = chosen.consent;
     how.left_out = chosen.left_out;
+    // Before the first file: nothing leaves without its entry.
+    if (session)
+        session->store().audit().write(session->actor(), "export.dataset", "study " + options.study,
+                                       sim::counted(chosen.demonstrations.size(), "attempt") +
+                                           ", agreed to \"" + options.statement +
+                                           "\"; left out: " + std::to_string(chosen.left_out));
     const auto files = reports::write_demonstrations(
         chosen.demonstrations, how, options.out, [](size_t done, size_t of) {
             show_progress("attempt " + std::to_string(done + 1) + " of " + std::to_string(of));
             return !CancelOn::requested();
         });
     clear_progress();
-    if (session)
-        session->store().audit().write(session->actor(), "export.dataset", "study " + options.study,
-                                       sim::counted(chosen.demonstrations.size(), "attempt") +
-                                           ", agreed to \"" + options.statement +
-                                           "\"; left out: " + std::to_string(chosen.left_out));
     print(context,
           {{"folder", options.out},
            {"demonstrations", chosen.demonstrations.size()},

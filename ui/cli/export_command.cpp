@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl export FORMAT: the data of a study or of a person for other programs.
 
+#include <filesystem>
 #include <memory>
 
 #include "reports/export.h"
@@ -69,14 +70,15 @@ int run_export(const Context& context, const ExportOptions& options) {
     if (options.format == "motion-bids" && source.data.attempts.empty())
         throw InputError("export motion-bids: " + source.data.id +
                          " has no attempts; expected at least one");
-    const auto files = reports::export_dataset(source, options.format, options.out);
     const std::string object =
         options.study.empty() ? "user " + options.user : "study " + options.study;
+    // Before the first file: nothing leaves without its entry.
     session.store().audit().write(
         session.actor(), "export." + options.format, object,
-        sim::counted(files.size(), "file") +
+        std::filesystem::absolute(options.out).lexically_normal().string() +
             (options.identifying.empty() ? ""
                                          : "; WITH IDENTIFYING FIELDS: " + options.identifying));
+    const auto files = reports::export_dataset(source, options.format, options.out);
     size_t rows = 0;
     for (const auto& form : source.data.forms) rows += form.rows.size();
     Json json{{"format", options.format},

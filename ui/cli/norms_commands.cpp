@@ -138,12 +138,13 @@ int show(const Context& context, const NormsOptions& options) {
 int export_pack(const Context& context, const NormsOptions& options) {
     Session session = educator(context);
     const auto record = find_pack(session, options.id);
+    // Before the file: nothing leaves without its entry.
+    session.store().audit().write(session.actor(), "norms.export",
+                                  "norm pack " + std::to_string(options.id), options.file);
     std::ofstream out(options.file, std::ios::binary | std::ios::trunc);
     out << curriculum::signed_norms_text(record.norms);
     out.flush();
     if (!out) throw InputError("--out " + options.file + ": cannot be written");
-    session.store().audit().write(session.actor(), "norms.export",
-                                  "norm pack " + std::to_string(options.id), options.file);
     print(context, {{"id", options.id}, {"path", options.file}},
           "wrote " + options.file + ", signed by " + record.pack.centre + " (" +
               db::fingerprint(record.norms.public_key) + ")");

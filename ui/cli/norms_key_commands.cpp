@@ -98,9 +98,10 @@ int export_key(const Context& context, const KeyOptions& options) {
                          ": is there and is not overwritten; give another name");
     const std::string text = as_input([&] { return session.store().norms().exported_centre_key(); },
                                       db::StoreError::Kind::kNotFound);
-    lti::replace_text(options.file, text);
+    // Before the file: nothing leaves without its entry.
     session.store().audit().write(session.actor(), "norms.key.export",
                                   db::fingerprint(need_key(session).public_key), options.file);
+    lti::replace_text(options.file, text);
     return key_done(context, session,
                     " is in " + options.file + ", sealed; it opens with the same passphrase");
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// placodectl report attempt | seal | trainee | cohort | certificate | study
+// placodectl report attempt | seal | trainee | cohort | certificate | study. The entry in the audit
+// trail comes before the first file: nothing leaves without it.
 
 #include <unistd.h>
 
@@ -51,13 +52,14 @@ int report_seal(const Context& context, const ReportOptions& options) {
     Session session(context, Missing::kRefuse);
     const int64_t id = need_attempt(session, "report seal", options.id).record.id;
     const ScratchFolder scratch;
-    const std::string file =
-        options.recording.empty() ? scratch.file("attempt.placode") : options.recording;
+    const std::string file = scratch.file("attempt.placode");
     session.store().attempts().extract_recording(id, file);
     const std::string seal = db::attempt_seal(session.store(), id, file, now_utc());
-    write_file(options.out, seal);
     session.store().audit().write(session.actor(), "report.seal", "attempt " + options.id,
                                   options.out);
+    if (!options.recording.empty())
+        session.store().attempts().extract_recording(id, options.recording);
+    write_file(options.out, seal);
     print(context, {{"attempt", id}, {"path", options.out}, {"recording", options.recording}},
           seal + "wrote " + options.out +
               (options.recording.empty() ? std::string() : " and " + options.recording));
@@ -72,11 +74,11 @@ int report_attempt(const Context& context, const ReportOptions& options) {
     if (!recording)
         throw InputError("report attempt: found " + options.id +
                          ", which has no recording; expected an attempt with one");
-    reports::write_attempt_pdf(attempt, *recording,
-                               db::other_attempts(session.store(), attempt.record), options.out,
-                               reports::report_head(session.store(), attempt.record));
+    const auto history = db::other_attempts(session.store(), attempt.record);
+    const auto head = reports::report_head(session.store(), attempt.record);
     session.store().audit().write(session.actor(), "report.pdf", "attempt " + options.id,
                                   options.out);
+    reports::write_attempt_pdf(attempt, *recording, history, options.out, head);
     print(context, {{"attempt", id}, {"path", options.out}}, "wrote " + options.out);
     return 0;
 }
@@ -97,12 +99,12 @@ int report_study(const Context& context, const ReportOptions& options) {
                          "; expected the id of a study, see `placodectl study list`" +
                          sim::did_you_mean(options.id, session.store().studies().ids()));
     const auto report = reports::read_study_report(session.store(), options.id, options.language);
+    session.store().audit().write(session.actor(), "report.study", "study " + options.id,
+                                  options.out);
     reports::write_study_pdf(report, options.out, [](const std::string& what) {
         if (isatty(STDERR_FILENO) != 0) std::cerr << "making: " << what << '\n';
     });
     const auto files = reports::write_study_figures(report, figures_folder(options));
-    session.store().audit().write(session.actor(), "report.study", "study " + options.id,
-                                  options.out);
     print(context,
           {{"study", options.id},
            {"path", options.out},
@@ -121,9 +123,9 @@ int report_cohort(const Context& context, const ReportOptions& options) {
     session.need(Action::kViewAttempts, Scope::kOther);
     const int64_t group = options.id == "all" ? 0 : find_group(session, options.id).id;
     const auto report = reports::read_cohort_report(session.store(), group, now_utc());
-    reports::write_cohort_pdf(report, options.out);
     session.store().audit().write(session.actor(), "report.cohort",
                                   "group " + std::to_string(group), options.out);
+    reports::write_cohort_pdf(report, options.out);
     Json json{{"group", report.group},
               {"path", options.out},
               {"demonstration", report.demonstration},
@@ -147,9 +149,9 @@ int report_trainee(const Context& context, const ReportOptions& options) {
     const db::UserRecord user = session.find_user(options.id);
     session.need_for(Action::kViewAttempts, user.id);
     const auto report = reports::read_trainee_report(session.store(), user, now_utc());
-    reports::write_trainee_pdf(report, options.out);
     session.store().audit().write(session.actor(), "report.trainee",
                                   "user " + std::to_string(user.id), options.out);
+    reports::write_trainee_pdf(report, options.out);
     print(context,
           {{"user_id", user.id},
            {"path", options.out},
@@ -171,9 +173,11 @@ int report_certificate(const Context& context, const ReportOptions& options) {
             throw;
         }
     }();
-    reports::write_certificate_pdf(
-        certificate, *session.store().accounts().find(id),
-        db::find_course(session.store(), options.id, certificate.course_version), options.out);
+    const auto course = db::find_course(session.store(), options.id, certificate.course_version);
+    session.store().audit().write(session.actor(), "report.certificate",
+                                  "user " + std::to_string(id), options.out);
+    reports::write_certificate_pdf(certificate, *session.store().accounts().find(id), course,
+                                   options.out);
     print(context,
           {{"user_id", id},
            {"course", options.id},

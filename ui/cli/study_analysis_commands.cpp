@@ -73,10 +73,11 @@ int analyse(const Context& context, const StudyAnalysisOptions& options, Work wo
     std::string text = analysis.title + (report.data.demonstration ? " (DEMONSTRATION)" : "") +
                        "\n" + table(rows) + "\n" + analysis.method;
     if (!options.out.empty()) {
-        json["files"] = reports::write_analysis(analysis, options.out, report.data.demonstration);
-        text += "\nwrote " + sim::counted(json["files"].size(), "file") + " to " + options.out;
+        // Before the first file: nothing leaves without its entry.
         session.store().audit().write(session.actor(), "report." + analysis.id,
                                       "study " + options.study, options.out);
+        json["files"] = reports::write_analysis(analysis, options.out, report.data.demonstration);
+        text += "\nwrote " + sim::counted(json["files"].size(), "file") + " to " + options.out;
     }
     print(context, json, text);
     return 0;

@@ -77,6 +77,8 @@ class CoursePage : public Page {
             const auto issued = db::issue_certificate(
                 context_.store(), context_.user().id, training_.course.id,
                 QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
+            // Before the file: nothing leaves without its entry, also when it is written again.
+            context_.audit("report.certificate", QString("user %1").arg(context_.user().id), path);
             reports::write_certificate_pdf(issued, context_.user(), training_.course,
                                            path.toStdString());
             findChild<QLabel*>("certificate_code")

@@ -139,8 +139,9 @@ class NormsPage : public Page {
                                  "norms-" + qstr(pack->pack.task_id) + ".json", "JSON (*.json)");
         if (path.isEmpty()) return;
         context_.guard(tr("Exporting the pack"), [&] {
-            reports::save_file(path.toStdString(), curriculum::signed_norms_text(pack->norms));
+            // Before the file: nothing leaves without its entry.
             context_.audit("norms.export", QString("norm pack %1").arg(pack->id), path);
+            reports::save_file(path.toStdString(), curriculum::signed_norms_text(pack->norms));
             Q_EMIT written(tr("Pack written: %1").arg(path), path);
         });
     }

@@ -244,11 +244,15 @@ class ResultPage : public Page {
         const auto known = recording_;
         context_.background(
             this, tr("Writing the report"),
-            [detail, history, known, path](db::Store& store) {
+            [detail, history, known, path = path.toStdString(),
+             login = context_.user().login](db::Store& store) {
                 const sim::Recording recording =
                     known ? *known : stored_recording(store, detail.record.id);
-                reports::write_attempt_pdf(detail, recording, history, path.toStdString(),
-                                           reports::report_head(store, detail.record));
+                const auto head = reports::report_head(store, detail.record);
+                // Before the file: nothing leaves without its entry.
+                store.audit().write(login, "report.pdf",
+                                    "attempt " + std::to_string(detail.record.id), path);
+                reports::write_attempt_pdf(detail, recording, history, path, head);
             },
             [this, path](bool done) {
                 if (done) Q_EMIT written(tr("Report written: %1").arg(path), path);

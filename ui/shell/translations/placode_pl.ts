@@ -952,6 +952,14 @@
         <translation>usunięto odzyskane nagranie</translation>
     </message>
     <message>
+        <source>wrote a certificate</source>
+        <translation>utworzono certyfikat</translation>
+    </message>
+    <message>
+        <source>wrote the seal of an attempt</source>
+        <translation>utworzono pieczęć próby</translation>
+    </message>
+    <message>
         <source>wrote a cohort's report</source>
         <translation>utworzono raport grupy</translation>
     </message>
