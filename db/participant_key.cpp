@@ -11,13 +11,13 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <algorithm>
 #include <array>
 
 #include "db/participant.h"
 #include "db/password.h"
+#include "db/private_file.h"
 #include "db/said.h"
 #include "db/store_error.h"
 #include "db/store_url.h"
@@ -191,9 +191,8 @@ void ParticipantKey::save() const {
                            {"salt", base64(salt)},
                            {"nonce", base64(nonce)},
                            {"box", base64(box)}};
-    QSaveFile file(QString::fromStdString(path_));
-    if (!file.open(QIODevice::WriteOnly) ||
-        !file.setPermissions(QFile::ReadOwner | QFile::WriteOwner))
+    PrivateFile file(path_);
+    if (!file.open(QIODevice::WriteOnly))
         fail(Kind::kUnavailable, path_, file.errorString().toStdString());
     file.write(QJsonDocument(json).toJson());
     if (!file.commit()) fail(Kind::kUnavailable, path_, file.errorString().toStdString());

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "db/private_file.h"
 #include "db/recording_file.h"
 #include "reports/formats.h"
 #include "reports/report.h"
@@ -114,13 +115,9 @@ void make_private_folder(const std::string& folder) {
 
 namespace {
 
-void save(const std::string& path, const std::string& bytes, bool for_owner_alone) {
-    QSaveFile file(QString::fromStdString(path));
+void save(QSaveFile& file, const std::string& path, const std::string& bytes) {
     const auto size = static_cast<qint64>(bytes.size());
-    const auto owner = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
-    // Before the first byte.
-    if (file.open(QIODevice::WriteOnly) && (!for_owner_alone || file.setPermissions(owner)) &&
-        file.write(bytes.data(), size) == size && file.commit())
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes.data(), size) == size && file.commit())
         return;
     throw ReportError("write " + path + ": " + file.errorString().toStdString() +
                       "; choose a folder that you may write to");
@@ -128,10 +125,14 @@ void save(const std::string& path, const std::string& bytes, bool for_owner_alon
 
 }  // namespace
 
-void save_file(const std::string& path, const std::string& bytes) { save(path, bytes, false); }
+void save_file(const std::string& path, const std::string& bytes) {
+    QSaveFile file(QString::fromStdString(path));
+    save(file, path, bytes);
+}
 
 void save_private_file(const std::string& path, const std::string& bytes) {
-    save(path, bytes, true);
+    db::PrivateFile file(path);
+    save(file, path, bytes);
 }
 
 std::string read_file(const std::string& path) {

@@ -54,7 +54,7 @@ std::vector<ExportedFile> export_dataset(const ExportSource& source, const std::
 
 /// The whole file, atomically on disk. Throws ReportError.
 void save_file(const std::string& path, const std::string& bytes);
-/// The same with mode 0600: it names people or what they did.
+/// The same for its owner alone (db/private_file.h): it names people or what they did.
 void save_private_file(const std::string& path, const std::string& bytes);
 /// A folder that is made here is for its owner alone (0700); one that is there stays as it is.
 /// Throws ReportError.

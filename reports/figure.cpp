@@ -34,9 +34,10 @@ void save_figure(const Figure& figure, const std::string& folder, bool demonstra
     const QSize size(static_cast<int>(figure.width + 2 * kMargin),
                      static_cast<int>(figure.height + kTitle + 2 * kMargin));
     const std::string stem = folder + "/" + file_name(figure.id);
-    save_file(stem + ".svg", svg_of(size, figure.title, figure.caption, [&](QPainter& painter) {
-                  draw_whole(figure, painter, demonstration);
-              }));
+    save_private_file(stem + ".svg",
+                      svg_of(size, figure.title, figure.caption, [&](QPainter& painter) {
+                          draw_whole(figure, painter, demonstration);
+                      }));
     constexpr int kScale = 3;  // 288 dpi
     QImage image(size * kScale, QImage::Format_RGB32);
     image.setDotsPerMeterX(kScale * 3780);
@@ -50,8 +51,8 @@ void save_figure(const Figure& figure, const std::string& folder, bool demonstra
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
     if (!image.save(&buffer, "PNG")) throw ReportError("write " + stem + ".png: cannot be encoded");
-    save_file(stem + ".png", png.toStdString());
-    save_file(stem + ".csv", figure.csv);
+    save_private_file(stem + ".png", png.toStdString());
+    save_private_file(stem + ".csv", figure.csv);
 }
 
 }  // namespace placode::reports

@@ -43,7 +43,7 @@ QString row_html(const QStringList& cells, const QString& align, const char* tag
 
 Paper::Paper(const std::string& path, const QString& title, const QString& creator,
              const QString& footer)
-    : file_(QString::fromStdString(path)), path_(path), footer_(footer), y_(kMargin) {
+    : file_(path), path_(path), footer_(footer), y_(kMargin) {
     if (!file_.open(QIODevice::WriteOnly))
         throw ReportError("write report to " + path + ": " + file_.errorString().toStdString() +
                           "; choose a folder that you may write to");

@@ -6,11 +6,11 @@
 
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QString>
 #include <QStringList>
 #include <memory>
 
+#include "db/private_file.h"
 #include "reports/figure.h"
 
 namespace placode::reports {
@@ -22,7 +22,7 @@ namespace placode::reports {
 
 class Paper {
  public:
-    /// Throws ReportError when the file cannot be written.
+    /// The file is for its owner alone. Throws ReportError when it cannot be written.
     Paper(const std::string& path, const QString& title, const QString& creator,
           const QString& footer);
     Paper(const Paper&) = delete;
@@ -42,7 +42,7 @@ class Paper {
     void new_page();
     void footer();
 
-    QSaveFile file_;
+    db::PrivateFile file_;
     std::string path_;
     QString footer_;
     std::unique_ptr<QPdfWriter> writer_;

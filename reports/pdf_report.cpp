@@ -5,11 +5,11 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 
 #include "curriculum/task.h"
 #include "db/attempt_counting.h"
 #include "db/course_conduct.h"
+#include "db/private_file.h"
 #include "reports/metric_groups.h"
 #include "reports/pdf_report_text.h"
 #include "reports/report.h"
@@ -180,7 +180,7 @@ ReportHead report_head(db::Store& store, const db::AttemptRecord& attempt) {
 void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& recording,
                        const std::vector<db::AttemptRecord>& history, const std::string& path,
                        const ReportHead& head) {
-    QSaveFile file(QString::fromStdString(path));
+    db::PrivateFile file(path);
     if (!file.open(QIODevice::WriteOnly)) {
         throw ReportError("write report to " + path + ": " + file.errorString().toStdString() +
                           "; choose a folder that you may write to");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Paper for people: PDF and plots. Every one says when its data is a demonstration. Files for other
-// programs: reports/export.h.
+// Paper for people: PDF and plots. Every one says when its data is a demonstration, and its file is
+// for its owner alone (mode 0600). Files for other programs: reports/export.h.
 
 #include <stdexcept>
 #include <string>

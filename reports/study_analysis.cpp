@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include "assessment/reliability.h"
@@ -138,13 +137,9 @@ std::string analysis_csv(const Analysis& analysis) {
 
 std::vector<std::string> write_analysis(const Analysis& analysis, const std::string& folder,
                                         bool demonstration) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder))
-        throw ReportError("write " + analysis.title + " to " + folder +
-                          ": cannot be made a folder");
+    make_private_folder(folder);
     std::vector<std::string> paths{folder + "/" + analysis.id + "_table.csv"};
-    save_file(paths.front(), analysis_csv(analysis));
+    save_private_file(paths.front(), analysis_csv(analysis));
     for (const Figure& figure : analysis.figures) {
         save_figure(figure, folder, demonstration);
         for (const char* ending : {".svg", ".png", ".csv"})

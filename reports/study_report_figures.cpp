@@ -3,7 +3,6 @@
 // Figures of a study: what everybody answered, scales, comparison of groups, learning.
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
 
@@ -127,10 +126,7 @@ std::vector<Figure> study_figures(const StudyReport& report, const StudyNumbers&
 }
 
 std::vector<std::string> write_study_figures(const StudyReport& report, const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder))
-        throw ReportError("write figures to " + folder + ": cannot be made a folder");
+    make_private_folder(folder);
     std::vector<std::string> paths;
     const StudyNumbers numbers = study_numbers(report.data, report.instruments);
     for (const Figure& figure : study_figures(report, numbers)) {
@@ -139,7 +135,7 @@ std::vector<std::string> write_study_figures(const StudyReport& report, const st
             paths.push_back(folder + "/" + file_name(figure.id) + ending);
     }
     paths.push_back(folder + "/numbers.csv");
-    save_file(paths.back(), study_numbers_csv(numbers));
+    save_private_file(paths.back(), study_numbers_csv(numbers));
     return paths;
 }
 

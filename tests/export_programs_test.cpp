@@ -3,6 +3,7 @@
 // Attempts and studies leave the store on the command line, in every format.
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <utility>
@@ -104,6 +105,26 @@ TEST_F(ExportPrograms, NothingLeavesWithoutItsEntryInTheTrail) {
         EXPECT_THAT(entries[0].detail, HasSubstr("blocked/")) << command;
     }
     EXPECT_EQ(fs::file_size(file("blocked")), 0u);
+}
+
+TEST_F(ExportPrograms, WhatLeavesIsForItsOwnerAlone) {
+    fill_store();
+    ASSERT_FALSE(HasFatalFailure());
+    const mode_t before = ::umask(022);
+    for (const char* command :
+         {"--as zofia report attempt 1 --out a.pdf", "--as zofia report seal 1 --out a.txt",
+          "--as zofia report trainee zofia --out t.pdf", "--as ewa report cohort all --out c.pdf",
+          "--as carl export csv --study pilot/1 --out e",
+          "user erase zofia --confirm zofia --certificate erased.txt"}) {
+        const Outcome left = ctl(command, kRight);
+        EXPECT_EQ(left.status, 0) << command << ": " << left.err;
+    }
+    ::umask(before);
+    for (const char* made : {"a.pdf", "a.txt", "t.pdf", "c.pdf", "erased.txt"})
+        EXPECT_EQ(fs::status(file(made)).permissions(), fs::perms(0600)) << made;
+    for (const auto& made : fs::directory_iterator(file("e")))
+        EXPECT_EQ(made.status().permissions(), fs::perms(0600)) << made;
+    EXPECT_THAT(read_text(file("erased.txt")), testing::StartsWith("Placode: certificate"));
 }
 
 TEST_F(Programs, TheStudyOfThePaperRunsAndLeavesInEveryFormat) {

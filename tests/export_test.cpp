@@ -8,8 +8,12 @@
 
 #include "reports/export.h"
 
+#include <sys/stat.h>
+
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <filesystem>
+#include <fstream>
 
 #include "curriculum/study.h"
 #include "db/study_conduct.h"
@@ -26,6 +30,28 @@ namespace fs = std::filesystem;
 namespace THIS_TEST {
 
 World* const world = World::install();
+
+TEST_F(Export, AFileForItsOwnerAloneIsWholeOrAsItWas) {
+    const mode_t before = ::umask(022);
+    fs::create_directories(out("place"));
+    const std::string path = out("place") + "/anna.txt";
+    std::ofstream(path) << "open to everybody";
+    ASSERT_EQ(fs::status(path).permissions(), fs::perms(0644));
+    reports::save_private_file(path, "hers");
+    EXPECT_EQ(fs::status(path).permissions(), fs::perms(0600));
+    EXPECT_EQ(read_text(path), "hers");
+    reports::save_private_file(out("place") + "/new.txt", "hers");
+    EXPECT_EQ(fs::status(out("place") + "/new.txt").permissions(), fs::perms(0600));
+    EXPECT_EQ(std::distance(fs::directory_iterator(out("place")), {}), 2) << "nothing lies beside";
+    try {
+        reports::save_private_file(path + "/below.txt", "hers");
+        ADD_FAILURE() << "a file is no folder";
+    } catch (const reports::ReportError& error) {
+        EXPECT_THAT(error.what(), testing::StartsWith("write " + path + "/below.txt: "));
+    }
+    EXPECT_EQ(read_text(path), "hers");
+    ::umask(before);
+}
 
 TEST_F(Export, EveryFormatIsWrittenAndReadBack) {
     for (const auto& format : reports::export_formats()) {

@@ -6,6 +6,7 @@
 #include "reports/report.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <QApplication>
 #include <QFile>
@@ -63,6 +64,22 @@ TEST(Report, ThePdfSaysVerdictReasonsAndDemonstration) {
         EXPECT_TRUE(text.contains(QString::fromUtf8(expected))) << expected << "\nnot in\n"
                                                                 << text.toStdString();
     }
+}
+
+TEST(Report, ThePdfIsForItsOwnerAlone) {
+    application();
+    const mode_t before = ::umask(022);
+    QTemporaryDir folder;
+    const QString path = folder.filePath("attempt.pdf");
+    QFile open(path);
+    ASSERT_TRUE(open.open(QIODevice::WriteOnly));
+    open.close();
+    reports::write_attempt_pdf(attempt(), recording(), {}, path.toStdString());
+    ::umask(before);
+    struct stat status {};
+    ASSERT_EQ(::stat(path.toStdString().c_str(), &status), 0);
+    EXPECT_GT(status.st_size, 5000);
+    EXPECT_EQ(status.st_mode & 07777, 0600U) << "it names a person";
 }
 
 TEST(Report, ThePdfHasNoPathThatEndsBeforeItBegins) {

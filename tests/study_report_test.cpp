@@ -9,6 +9,7 @@
 #include "reports/study_report.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <QApplication>
 #include <QFile>
@@ -510,10 +511,13 @@ TEST_F(StudyReportTest, EveryFigureIsSvgPngAndDataAndSaysDemonstration) {
     const std::string place = qEnvironmentVariableIsSet("PLACODE_SCREENSHOTS")
                                   ? qEnvironmentVariable("PLACODE_SCREENSHOTS").toStdString()
                                   : folder.file("figures");
+    const mode_t before = ::umask(022);
     const auto paths = reports::write_study_figures(report(), place);
+    ::umask(before);
     std::set<std::string> stems;
     for (const std::string& path : paths) {
         ASSERT_TRUE(fs::exists(path)) << path;
+        EXPECT_EQ(fs::status(path).permissions(), fs::perms(0600)) << path;
         stems.insert(fs::path(path).stem().string());
         if (path.ends_with(".svg")) {
             QXmlStreamReader xml(QByteArray::fromStdString(read_text(path)));

@@ -290,7 +290,7 @@ TEST_F(TrainingPrograms, StandardsAreSetFromGroupsAndExchangedSigned) {
     EXPECT_THAT(made.out, AllOf(HasSubstr("\"persons\": 5"), Not(HasSubstr("Person"))));
     EXPECT_THAT(as("anna", "norms list").out, HasSubstr("expert 5, novice 5"));
     EXPECT_EQ(as("ewa", "norms export 1 --out n.json").status, 0);
-    EXPECT_EQ(as("ewa", "norms export 1 --out n.json/n.json").status, 2);
+    EXPECT_NE(as("ewa", "norms export 1 --out n.json/n.json").status, 0);
     EXPECT_EQ(db::open_store("sqlite:" + store, cheap())->audit().of_action("norms.export").size(),
               2u)
         << "the entry comes before the file";

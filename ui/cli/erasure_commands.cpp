@@ -3,10 +3,10 @@
 // placodectl user data|ask-erasure|erasures|erase: what is kept about a person, and its end.
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "db/erasure.h"
+#include "db/private_file.h"
 #include "reports/people_file.h"
 #include "sim/core/counted.h"
 #include "ui/cli/people.h"
@@ -69,20 +69,23 @@ int erase(const Context& context, const ErasureOptions& options) {
         throw InputError("user erase: this cannot be undone; repeat the login with --confirm " +
                          user.login);
     // Before anything is gone for good.
-    std::ofstream certificate;
+    db::PrivateFile certificate(options.certificate);
     if (!options.certificate.empty()) {
         if (std::filesystem::exists(options.certificate))
             throw InputError(options.certificate +
                              " exists and is not overwritten; give another "
                              "name");
-        certificate.open(options.certificate);
-        if (!certificate) throw InputError(options.certificate + ": cannot be written there");
+        if (!certificate.open(QIODevice::WriteOnly))
+            throw InputError(options.certificate + ": cannot be written there: " +
+                             certificate.errorString().toStdString());
     }
     const db::Erasure done = as_input([&] {
         return db::erase_person(session.store(), store_url_of(context), user.id,
                                 options.with_attempts);
     });
-    if (certificate.is_open()) certificate << db::erasure_certificate(done);
+    const bool certified =
+        !certificate.isOpen() ||
+        (certificate.write(db::erasure_certificate(done).c_str()) > 0 && certificate.commit());
     std::string text =
         "erased; attempts " +
         std::string(options.with_attempts ? "went as well" : "stay without a name") +
@@ -93,13 +96,16 @@ int erase(const Context& context, const ErasureOptions& options) {
         left.push_back({{"path", each.path}, {"why", each.why}});
         text += "\nmay still hold the person: " + each.path + ": " + each.why;
     }
+    if (!certified)
+        text += "\nthe certificate is not written: " + options.certificate + ": " +
+                certificate.errorString().toStdString();
     print(context,
           {{"user_id", user.id},
            {"with_attempts", options.with_attempts},
            {"copies", done.cleaned},
            {"left", left}},
           text);
-    return done.left.empty() ? 0 : 1;
+    return done.left.empty() && certified ? 0 : 1;
 }
 
 }  // namespace

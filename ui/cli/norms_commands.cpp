@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl norms ...: bands of groups and their exchange between centres.
 
-#include <fstream>
 #include <memory>
 
 #include "db/norm_bands.h"
 #include "db/signature.h"
+#include "reports/export.h"
 #include "sim/core/counted.h"
 #include "ui/cli/centre_passphrase.h"
 #include "ui/cli/norms_key_commands.h"
@@ -141,10 +141,7 @@ int export_pack(const Context& context, const NormsOptions& options) {
     // Before the file: nothing leaves without its entry.
     session.store().audit().write(session.actor(), "norms.export",
                                   "norm pack " + std::to_string(options.id), options.file);
-    std::ofstream out(options.file, std::ios::binary | std::ios::trunc);
-    out << curriculum::signed_norms_text(record.norms);
-    out.flush();
-    if (!out) throw InputError("--out " + options.file + ": cannot be written");
+    reports::save_private_file(options.file, curriculum::signed_norms_text(record.norms));
     print(context, {{"id", options.id}, {"path", options.file}},
           "wrote " + options.file + ", signed by " + record.pack.centre + " (" +
               db::fingerprint(record.norms.public_key) + ")");

@@ -19,7 +19,6 @@
 #include "sim/core/near_word.h"
 #include "ui/cli/people.h"
 #include "ui/cli/scratch_folder.h"
-#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -59,7 +58,7 @@ int report_seal(const Context& context, const ReportOptions& options) {
                                   options.out);
     if (!options.recording.empty())
         session.store().attempts().extract_recording(id, options.recording);
-    write_file(options.out, seal);
+    reports::save_private_file(options.out, seal);
     print(context, {{"attempt", id}, {"path", options.out}, {"recording", options.recording}},
           seal + "wrote " + options.out +
               (options.recording.empty() ? std::string() : " and " + options.recording));

@@ -14,13 +14,13 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QRandomGenerator>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <array>
 #include <cerrno>
 
 #include "db/evidence.h"
+#include "db/private_file.h"
 #include "db/recording_file.h"
 #include "db/recording_order.h"
 #include "db/store_url.h"
@@ -136,7 +136,7 @@ void write_order(AttemptOrder& order, const QString& folder) {
         {"device_certificate", QString::fromStdString(order.exam.device_certificate)},
         {"store", order.store},
         {"nonce", fresh_nonce()}};
-    QSaveFile file(order_file(order.recording_file));
+    db::PrivateFile file(order_file(order.recording_file).toStdString());
     order.text = QJsonDocument(json).toJson();
     if (!file.open(QIODevice::WriteOnly) || file.write(order.text) != order.text.size() ||
         !file.commit()) {

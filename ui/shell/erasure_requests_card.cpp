@@ -140,7 +140,7 @@ void ErasureRequestsCard::saveCertificate() {
         QString("placode-erasure-%1.txt").arg(erasure.user_id), tr("Text (*.txt)"));
     if (path.isEmpty()) return;
     context_.guard(tr("Writing the certificate"), [&] {
-        reports::save_file(path.toStdString(), db::erasure_certificate(erasure));
+        reports::save_private_file(path.toStdString(), db::erasure_certificate(erasure));
         Q_EMIT page_.written(tr("Certificate written: %1").arg(path), path);
     });
 }

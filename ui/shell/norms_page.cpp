@@ -141,7 +141,8 @@ class NormsPage : public Page {
         context_.guard(tr("Exporting the pack"), [&] {
             // Before the file: nothing leaves without its entry.
             context_.audit("norms.export", QString("norm pack %1").arg(pack->id), path);
-            reports::save_file(path.toStdString(), curriculum::signed_norms_text(pack->norms));
+            reports::save_private_file(path.toStdString(),
+                                       curriculum::signed_norms_text(pack->norms));
             Q_EMIT written(tr("Pack written: %1").arg(path), path);
         });
     }
