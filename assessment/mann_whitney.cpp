@@ -128,7 +128,9 @@ double noncentrality(double t, double df, double p) {
     // Far out the normal part of t is nothing beside the noncentrality: t = nc / sqrt(chi2 / df).
     if (t > 500)
         return t * std::sqrt(boost::math::quantile(boost::math::chi_squared(df), 1 - p) / df);
-    double low = t - 40, high = 4 * t + 40;  // With one degree of freedom up to 2.24 t.
+    // No more than 1.96 below 0, however far t lies: few degrees of freedom take the lower end to a
+    // small share of t, and with one the upper end goes up to 2.24 t.
+    double low = -40, high = 4 * t + 40;
     for (int i = 0; i < 200; ++i) {
         const double middle = 0.5 * (low + high);
         const double value = boost::math::cdf(boost::math::non_central_t(df, middle), t);
