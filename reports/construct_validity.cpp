@@ -162,11 +162,8 @@ Figure effects_figure(const std::vector<Comparison>& list, const std::vector<dou
         high = std::max({high, row.estimate, row.high});
         rows.push_back(row);
     }
-    // A wild interval of a small sample must not squeeze all others.
+    // A wild interval of a small sample must not squeeze all others: the drawing cuts it off.
     low = std::max(low, -6.0), high = std::min(high, 6.0);
-    for (ForestRow& row : rows)
-        row.low = std::clamp(row.low, low, high), row.high = std::clamp(row.high, low, high),
-        row.estimate = std::clamp(row.estimate, low, high);
     return forest_figure("construct_validity", levels.label + ": effect on the metrics",
                          levels.names.size() == 2
                              ? "Hedges' g (right: " + levels.names[1] + " is higher)"

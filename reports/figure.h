@@ -55,6 +55,8 @@ struct ForestRow {
     std::string note;          ///< "p 0.12"
     bool no_interval = false;  ///< The interval cannot be computed.
 };
+/// An axis from low to high. What lies beyond it is an arrow at its end; text and CSV have all
+/// numbers as they are.
 [[nodiscard]] Figure forest_figure(const std::string& id, const std::string& title,
                                    const std::string& axis, const std::vector<ForestRow>& rows,
                                    double low, double high, const ChartStyle& style);

@@ -99,6 +99,37 @@ void draw_strips(QPainter& painter, const QRectF& where, const std::vector<Strip
     }
 }
 
+/// -1 left of the axis, 1 right of it, 0 on it.
+int beyond(const LinearScale& x, double value) {
+    return value < x.low ? -1 : value > x.high ? 1 : 0;
+}
+
+/// The square, its interval, and an arrow at the end of the axis where one of them goes on.
+void draw_estimate(QPainter& painter, const ForestRow& row, const LinearScale& x, double y,
+                   const ChartStyle& style) {
+    const auto at = [&](double value) { return x.at(std::clamp(value, x.low, x.high)); };
+    std::vector<double> values{row.estimate};
+    if (!row.no_interval) {
+        values.insert(values.end(), {row.low, row.high});
+        painter.setPen(QPen(colour(style.accent), 2));
+        if (at(row.low) < at(row.high))
+            painter.drawLine(QPointF(at(row.low), y), QPointF(at(row.high), y));
+        for (const double end : {row.low, row.high})
+            if (beyond(x, end) == 0)
+                painter.drawLine(QPointF(at(end), y - 4), QPointF(at(end), y + 4));
+    }
+    painter.setBrush(colour(style.accent));
+    painter.setPen(Qt::NoPen);
+    for (const double value : values) {
+        const int side = beyond(x, value);
+        if (side != 0)
+            painter.drawPolygon(
+                QPolygonF({QPointF(at(value), y), QPointF(at(value) - 9 * side, y - 5),
+                           QPointF(at(value) - 9 * side, y + 5)}));
+    }
+    if (beyond(x, row.estimate) == 0) painter.drawRect(QRectF(at(row.estimate) - 4, y - 4, 8, 8));
+}
+
 void draw_forest(QPainter& painter, const QRectF& where, const std::vector<ForestRow>& rows,
                  const QString& axis, double low, double high, const ChartStyle& style) {
     constexpr double kLabel = 230, kRight = 190, kFoot = 34;
@@ -114,15 +145,7 @@ void draw_forest(QPainter& painter, const QRectF& where, const std::vector<Fores
         draw_wrapped(painter, QRectF(where.left(), y - row / 2, kLabel - 12, row),
                      Qt::AlignVCenter | Qt::AlignLeft, QString::fromStdString(each.label),
                      style.text, 11);
-        painter.setPen(QPen(colour(style.accent), 2));
-        if (!each.no_interval) {
-            painter.drawLine(QPointF(x.at(each.low), y), QPointF(x.at(each.high), y));
-            for (const double end : {each.low, each.high})
-                painter.drawLine(QPointF(x.at(end), y - 4), QPointF(x.at(end), y + 4));
-        }
-        painter.setBrush(colour(style.accent));
-        painter.setPen(Qt::NoPen);
-        painter.drawRect(QRectF(x.at(each.estimate) - 4, y - 4, 8, 8));
+        draw_estimate(painter, each, x, y, style);
         const QString interval = each.no_interval
                                      ? QStringLiteral("no interval")
                                      : number(each.low, 2) + " to " + number(each.high, 2);
@@ -162,6 +185,12 @@ Figure forest_figure(const std::string& id, const std::string& title, const std:
     figure.id = id;
     figure.title = title;
     figure.caption = "Squares: estimates, lines: 95 % intervals, dashed: no effect.";
+    const LinearScale x{low, high};
+    if (std::any_of(rows.begin(), rows.end(), [&](const ForestRow& row) {
+            return beyond(x, row.estimate) != 0 ||
+                   (!row.no_interval && (beyond(x, row.low) != 0 || beyond(x, row.high) != 0));
+        }))
+        figure.caption += " Arrows: it lies beyond the axis, where the numbers say.";
     figure.height = 42 + 36 * static_cast<double>(std::max<size_t>(1, rows.size()));
     figure.csv = csv_line({"item", "estimate", "low95", "high95", "note"});
     for (const ForestRow& row : rows)

@@ -4,7 +4,6 @@
 // curves, raters and shared parts: study_learning.cpp.
 #include "reports/study_analysis.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -112,10 +111,9 @@ Analysis test_retest(const StudyReport& report, const ChartStyle& style) {
                                  {interval_words(form.ci95), {}},
                                  {rounded(sem), sem},
                                  {rounded(mdc), mdc}});
-        forest.push_back(
-            {line.label, std::clamp(form.icc, -1.0, 1.0), std::clamp(form.ci95.low, -1.0, 1.0),
-             std::clamp(form.ci95.high, -1.0, 1.0), "n " + std::to_string(line.icc.subjects),
-             !std::isfinite(form.ci95.low) || !std::isfinite(form.ci95.high)});
+        forest.push_back({line.label, form.icc, form.ci95.low, form.ci95.high,
+                          "n " + std::to_string(line.icc.subjects),
+                          !std::isfinite(form.ci95.low) || !std::isfinite(form.ci95.high)});
     }
     analysis.figures.push_back(forest_figure("test_retest", "Test-retest: ICC(2,1)",
                                              "ICC(2,1), absolute agreement", forest, -1, 1, style));

@@ -265,11 +265,10 @@ std::vector<ForestRow> fill_agreement(const std::vector<Judged>& judged, Analysi
                                  cell(icc.icc2k.icc),
                                  cell(icc.icc3.icc),
                                  cell(icc.sem_agreement)});
-        forest.push_back({each.label, std::clamp(icc.icc2.icc, -1.0, 1.0),
-                          std::clamp(icc.icc2.ci95.low, -1.0, 1.0),
-                          std::clamp(icc.icc2.ci95.high, -1.0, 1.0),
+        const assessment::Interval& ci = icc.icc2.ci95;
+        forest.push_back({each.label, icc.icc2.icc, ci.low, ci.high,
                           std::to_string(icc.raters) + " raters, n " + std::to_string(icc.subjects),
-                          !std::isfinite(icc.icc2.ci95.low)});
+                          !std::isfinite(ci.low) || !std::isfinite(ci.high)});
     }
     return forest;
 }

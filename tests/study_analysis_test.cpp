@@ -83,6 +83,34 @@ TEST(StudyAnalysis, LevelsOfExperienceAreComparedByMeansOfPeople) {
     EXPECT_EQ(analysis.figures.size(), 2u);
 }
 
+/// The lines of a figure's CSV that begin with `name`.
+std::vector<std::vector<std::string>> figure_lines(const reports::Analysis& analysis,
+                                                   const std::string& id, const std::string& name) {
+    std::vector<std::vector<std::string>> lines;
+    for (const reports::Figure& figure : analysis.figures)
+        if (figure.id == id)
+            for (const auto& line : reports::parse_csv(figure.csv))
+                if (line.front().rfind(name, 0) == 0) lines.push_back(line);
+    return lines;
+}
+
+TEST(StudyAnalysis, AnEffectBeyondTheAxisKeepsItsNumberInTheCsvOfItsFigure) {
+    // Novices 10, 11, 12 and experts 90, 91, 92: g -63.83, and the axis ends at -6.
+    const auto report = study_with(
+        6, 1, [](int person, int) { return (person % 2 == 1 ? 90.0 : 10.0) + person / 2; });
+    const auto analysis = reports::construct_validity(report, "attempts.device");
+    ASSERT_EQ(analysis.problem, "");
+    const auto& points = row(analysis, "Score");
+    const double g = *points[column(analysis, "g")].value;
+    EXPECT_NEAR(g, -63.8307648642, 1e-9);
+    const auto lines = figure_lines(analysis, "construct_validity", "Score");
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(curriculum::answer_number(lines[0].at(1)), g);
+    EXPECT_NEAR(curriculum::answer_number(lines[0].at(2)).value(), -106.5547493632, 1e-6);
+    EXPECT_NEAR(curriculum::answer_number(lines[0].at(3)).value(), -22.1891386637, 1e-6);
+    EXPECT_THAT(analysis.figures.front().caption, HasSubstr("beyond the axis"));
+}
+
 /// First attempt to be left out, then 10 k + 1 and 10 k + 2, the last of every other person half a
 /// point more.
 double retest_points(int person, int trial) {

@@ -572,4 +572,35 @@ TEST(LikertFigure, OrderShowsInGrey) {
     EXPECT_GT(std::abs(grey[2] - grey[3]), 15);
 }
 
+TEST(ForestFigure, WhatLiesBeyondTheAxisIsAnArrowAtItsEnd) {
+    application();
+    const reports::ChartStyle style;
+    // Columns of pixels in the accent's colour, of one row on an axis from -6 to 6.
+    const auto columns = [&](double estimate, double low, double high) {
+        const auto figure = reports::forest_figure(
+            "x", "x", "g", {{"A", estimate, low, high, "", false}}, -6, 6, style);
+        QImage image(static_cast<int>(figure.width), static_cast<int>(figure.height),
+                     QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        figure.draw(painter, QRectF(0, 0, figure.width, figure.height));
+        painter.end();
+        std::map<int, int> found;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                if (image.pixel(x, y) == (style.accent | 0xff000000)) ++found[x];
+        return found;
+    };
+    constexpr int kLeft = 230, kRight = 680 - 190;  // Of the axis.
+    const auto whole = columns(64, 22, 107);
+    ASSERT_FALSE(whole.empty());
+    EXPECT_GT(whole.begin()->first, kRight - 12) << "nothing but the arrow";
+    EXPECT_LE(whole.rbegin()->first, kRight + 1);
+    EXPECT_GT(whole.begin()->second, whole.rbegin()->second) << "it points to the right";
+    const auto cut = columns(-2, -9, 1);
+    ASSERT_FALSE(cut.empty());
+    EXPECT_NEAR(cut.begin()->first, kLeft, 2) << "it goes on beyond the end";
+    EXPECT_LT(cut.rbegin()->first, kLeft + 160) << "the upper end is where it was";
+}
+
 }  // namespace THIS_TEST
