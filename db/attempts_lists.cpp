@@ -42,8 +42,8 @@ std::vector<AttemptPoint> Attempts::points(int64_t group_id, const std::string& 
     context_.need(Action::kViewAttempts);
     const AttemptConditions where = conditions_of(0, group_id, task_id);
     Statement query(connection_,
-                    "SELECT t.account_id, t.id, t.task_id, t.started_utc, t.points, t.verdict FROM "
-                    "attempts t" +
+                    "SELECT t.account_id, t.id, t.task_id, t.started_utc, t.points, t.verdict, "
+                    "t.task_version FROM attempts t" +
                         where.sql + (where.sql.empty() ? " WHERE " : " AND ") + is_finished("t") +
                         " ORDER BY t.account_id, t.task_id, t.started_utc, t.id");
     query.run_list(where.values);
@@ -51,7 +51,8 @@ std::vector<AttemptPoint> Attempts::points(int64_t group_id, const std::string& 
     while (query.next())
         found.push_back({query.integer("account_id"), query.integer("id"), query.text("task_id"),
                          query.text("started_utc"), query.real("points"),
-                         static_cast<assessment::Verdict>(query.integer("verdict"))});
+                         static_cast<assessment::Verdict>(query.integer("verdict")),
+                         static_cast<int>(query.integer("task_version"))});
     return found;
 }
 

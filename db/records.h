@@ -156,6 +156,7 @@ struct AttemptPoint {
     std::string task_id, started_utc;
     double points = 0;
     assessment::Verdict verdict = assessment::Verdict::kNotYet;
+    int task_version = 0;
 };
 
 /// Everything about one attempt but its recording.

@@ -53,8 +53,13 @@ CohortReport read_cohort_report(db::Store& store, int64_t group_id, const std::s
             throw db::StoreError(db::StoreError::Kind::kNotFound,
                                  "there is no group " + std::to_string(group_id));
     }
-    report.people =
-        people_in_tasks(store.attempts().standings(group_id), store.attempts().points(group_id));
+    const std::vector<db::AttemptPoint> points = store.attempts().points(group_id);
+    report.people = people_in_tasks(store.attempts().standings(group_id), points);
+    std::vector<JudgedAttempt> judged;
+    judged.reserve(points.size());
+    for (const db::AttemptPoint& point : points)
+        judged.push_back({point.task_id, point.task_version, point.started_utc});
+    report.pass_marks = pass_marks_of(store, judged);
     std::set<int64_t> demonstrators;
     for (const db::UserRecord& user : store.accounts().list())
         if (user.demonstration) demonstrators.insert(user.id);
@@ -72,8 +77,10 @@ TraineeReport read_trainee_report(db::Store& store, const db::UserRecord& user,
     report.courses = db::course_standings(store, user.id, now_utc);
     report.attempts = store.attempts().list(user.id);
     std::map<std::string, PersonInTask> tasks;
+    std::vector<JudgedAttempt> judged;
     for (const db::AttemptRecord& attempt : report.attempts) {
         if (!db::counts(attempt)) continue;
+        judged.push_back({attempt.task_id, attempt.task_version, attempt.started_utc});
         PersonInTask& one = tasks[attempt.task_id];
         auto& s = one.standing;
         s.user_id = user.id;
@@ -89,6 +96,7 @@ TraineeReport read_trainee_report(db::Store& store, const db::UserRecord& user,
         one.points.push_back(attempt.points);
         one.failed.push_back(attempt.verdict != assessment::Verdict::kPassed);
     }
+    report.pass_marks = pass_marks_of(store, judged);
     for (auto& [task, one] : tasks) {
         judge(one);
         report.tasks.push_back(std::move(one));

@@ -96,7 +96,7 @@ std::map<std::string, std::vector<const PersonInTask*>> by_task(
 }
 
 Figure curves(const std::string& task, const std::vector<const PersonInTask*>& people,
-              double benchmark) {
+              std::optional<double> pass_points) {
     // Evenly over the list where there are more than a picture can show.
     std::vector<LearningLine> lines;
     const size_t shown = std::min(kMostCurves, people.size());
@@ -105,7 +105,7 @@ Figure curves(const std::string& task, const std::vector<const PersonInTask*>& p
         lines.push_back({name_of(one), one.points, one.failed});
     }
     Figure figure =
-        learning_figure("learning_" + task, "Learning curves, " + task, lines, benchmark,
+        learning_figure("learning_" + task, "Learning curves, " + task, lines, pass_points,
                         assessment::cusum_limits(0.05, 0.10, 0.05, 0.20), ChartStyle{});
     if (people.size() > shown)
         figure.caption += " " + std::to_string(shown) + " of " + std::to_string(people.size()) +
@@ -153,7 +153,7 @@ void write_cohort_pdf(const CohortReport& report, const std::string& path) {
         paper.heading("Distribution");
         paper.figure(spread(report.people));
         for (const auto& [task, people] : by_task(report.people))
-            paper.figure(curves(task, people, report.benchmark_points));
+            paper.figure(curves(task, people, report.pass_marks.of(task)));
         paper.heading("Everybody");
         std::vector<QStringList> rows;
         for (const PersonInTask& one : report.people) rows.push_back(row_of(one));
@@ -206,7 +206,8 @@ void write_trainee_pdf(const TraineeReport& report, const std::string& path) {
         for (const PersonInTask& one : report.tasks) rows.push_back(row_of(one));
         write_rows(paper, row_head(), rows);
         for (const PersonInTask& one : report.tasks)
-            paper.figure(curves(one.standing.task_id, {&one}, report.benchmark_points));
+            paper.figure(
+                curves(one.standing.task_id, {&one}, report.pass_marks.of(one.standing.task_id)));
         paper.heading("History");
         std::vector<QStringList> attempts;
         for (const db::AttemptRecord& each : report.attempts)

@@ -9,6 +9,7 @@
 #include "assessment/cohort.h"
 #include "db/course_conduct.h"
 #include "db/store.h"
+#include "reports/pass_marks.h"
 
 namespace placode::reports {
 
@@ -25,8 +26,8 @@ struct CohortReport {
     std::string group;  ///< Name; "everybody" for all.
     std::string made_utc;
     std::vector<PersonInTask> people;  ///< By name and task.
-    double benchmark_points = 70;
-    bool demonstration = false;  ///< Some of the people are demonstration accounts.
+    PassMarks pass_marks;              ///< Of the attempts in `people`.
+    bool demonstration = false;        ///< Some of the people are demonstration accounts.
 };
 
 /// group_id 0 = everybody. Throws StoreError(kNotFound).
@@ -44,7 +45,7 @@ struct TraineeReport {
     std::vector<db::CourseStanding> courses;
     std::vector<PersonInTask> tasks;
     std::vector<db::AttemptRecord> attempts;  ///< Oldest first.
-    double benchmark_points = 70;
+    PassMarks pass_marks;                     ///< Of the attempts in `tasks`.
 };
 [[nodiscard]] TraineeReport read_trainee_report(db::Store& store, const db::UserRecord& user,
                                                 const std::string& now_utc);

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "db/evidence.h"
-#include "db/standards.h"
 #include "reports/paper.h"
 #include "reports/study_report_parts.h"
 
@@ -14,32 +12,17 @@ namespace placode::reports {
 
 namespace {
 
-/// Attempts are judged by the mark of their day (db/evidence.h).
-std::map<std::string, double> marks_of(db::Store& store, const Dataset& data) {
-    std::map<std::pair<std::string, int>, std::optional<curriculum::Task>> known;
-    std::map<std::string, std::set<std::optional<double>>> marks;
+/// Of the attempts that count.
+PassMarks marks_of(db::Store& store, const Dataset& data) {
+    std::vector<JudgedAttempt> judged;
     const Form* form = data.form("attempts");
     const size_t n = form == nullptr ? 0 : std::min(form->rows.size(), data.attempts.size());
     for (size_t i = 0; i < n; ++i) {
         const db::AttemptRecord& record = data.attempts[i].record;
-        if (!form->rows[i].counts) continue;
-        auto at = known.find({record.task_id, record.task_version});
-        if (at == known.end())
-            at = known
-                     .emplace(std::pair(record.task_id, record.task_version),
-                              db::published_task(store, record.task_id, record.task_version))
-                     .first;
-        auto& own = marks[record.task_id];
-        // Of a task that is published nowhere the mark is not known.
-        if (!at->second)
-            own.insert(std::nullopt);
-        else
-            own.insert(db::rubric_at(store, *at->second, record.started_utc).pass_points);
+        if (form->rows[i].counts)
+            judged.push_back({record.task_id, record.task_version, record.started_utc});
     }
-    std::map<std::string, double> found;
-    for (const auto& [task, own] : marks)
-        if (own.size() == 1 && own.begin()->has_value()) found[task] = **own.begin();
-    return found;
+    return pass_marks_of(store, judged);
 }
 
 /// Whether the flow of participants shows how many did the step.

@@ -14,6 +14,7 @@
 #include "reports/dataset.h"
 #include "reports/dataset_protocols.h"
 #include "reports/figure.h"
+#include "reports/pass_marks.h"
 #include "reports/study_numbers.h"
 
 namespace placode::reports {
@@ -29,12 +30,10 @@ struct StudyReport {
     std::map<std::string, db::RecordState> record_states;
     std::vector<db::Correction> corrections;
     std::vector<db::RatingRecord> ratings;  ///< By the OSATS form, of all attempts.
-    /// By task: the mark that judged all of its attempts that count. Absent where several did.
-    std::map<std::string, double> pass_marks;
+    PassMarks pass_marks;
 
     [[nodiscard]] std::optional<double> pass_mark(const std::string& task) const {
-        const auto found = pass_marks.find(task);
-        return found == pass_marks.end() ? std::nullopt : std::optional(found->second);
+        return pass_marks.of(task);
     }
 };
 
