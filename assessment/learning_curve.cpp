@@ -194,7 +194,9 @@ LearningCurve learning_curve(std::span<const double> scores) {
     if (scores.empty()) throw std::invalid_argument("learning curve: there is no score");
     LearningCurve result;
     result.n = static_cast<int>(scores.size());
-    result.exponential = fit_exponential(scores);
+    const auto [least, most] = std::minmax_element(scores.begin(), scores.end());
+    result.constant = *least == *most;
+    if (!result.constant) result.exponential = fit_exponential(scores);
     result.power = fit_power(scores);
     const size_t ten = std::min<size_t>(10, scores.size());
     const auto first = scores.first(ten), last = scores.last(ten);
@@ -206,12 +208,11 @@ LearningCurve learning_curve(std::span<const double> scores) {
         const Line line = least_squares(trial, last);
         const double t =
             boost::math::quantile(boost::math::students_t(static_cast<double>(ten) - 2), 0.975);
-        result.last10_slope = line.slope;
-        result.last10_slope_low = line.slope - t * line.slope_se;
-        result.last10_slope_high = line.slope + t * line.slope_se;
+        const Interval slope{line.slope - t * line.slope_se, line.slope + t * line.slope_se};
+        result.last10_slope_ci95 = slope;
         result.plateau = result.exponential &&
-                         result.exponential->trial_to_95pct_of_gain <= result.n &&
-                         result.last10_slope_low <= 0 && result.last10_slope_high >= 0;
+                         result.exponential->trial_to_95pct_of_gain <= result.n && slope.low <= 0 &&
+                         slope.high >= 0;
     }
     return result;
 }

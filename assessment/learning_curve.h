@@ -3,10 +3,17 @@
 #pragma once
 // How a score grows with practice: exponential approach to a plateau, or a power law.
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
+#include "assessment/rank_tests.h"
+
 namespace placode::assessment {
+
+/// Attempts of a person from which pages and reports show a curve: four, as many as R fits, leave
+/// one degree of freedom.
+inline constexpr size_t kCurveFrom = 5;
 
 /// y = asymptote - gain exp(-(trial - 1) / tau), least squares.
 struct ExponentialFit {
@@ -25,11 +32,12 @@ struct PowerFit {
 
 struct LearningCurve {
     int n = 0;
-    std::optional<ExponentialFit>
-        exponential;                ///< Absent below 5 trials or when nothing converges.
+    bool constant = false;  ///< All scores are equal: there is nothing to fit.
+    /// Absent below 4 trials, when all scores are equal, or when nothing can be fitted.
+    std::optional<ExponentialFit> exponential;
     std::optional<PowerFit> power;  ///< Absent below 3 positive scores.
     double mean_first10 = 0, mean_last10 = 0;
-    double last10_slope = 0, last10_slope_low = 0, last10_slope_high = 0;  ///< Per trial, 95 %.
+    std::optional<Interval> last10_slope_ci95;  ///< Per trial; absent below 3 trials.
     bool plateau = false;  ///< Past 95 % of the gain, and the slope's interval contains 0.
 };
 

@@ -113,6 +113,14 @@ std::string cusum_words(const assessment::Cusum& cusum) {
     return "undecided";
 }
 
+/// Whether the plateau is reached, or why that cannot be said.
+std::string plateau_words(const assessment::LearningCurve& curve, bool fitted, size_t attempts) {
+    if (attempts < assessment::kCurveFrom) return "too few attempts";
+    if (curve.constant) return "all scores are equal";
+    if (!fitted) return "no curve fits";
+    return curve.plateau ? "yes" : "no";
+}
+
 /// A row for everybody who made attempts at one task. Returns the lines of its figure.
 /// @param before of the names, where there are several tasks.
 std::vector<LearningLine> fill_learners(const std::vector<const Row*>& rows,
@@ -124,7 +132,8 @@ std::vector<LearningLine> fill_learners(const std::vector<const Row*>& rows,
         const auto curve = assessment::learning_curve(learner.points);
         const auto chart = assessment::cusum(learner.failed, limits);
         const auto cell = [](double value) { return AnalysisCell{rounded(value), value}; };
-        const bool fitted = curve.exponential && curve.exponential->converged;
+        const bool fitted = learner.points.size() >= assessment::kCurveFrom && curve.exponential &&
+                            curve.exponential->converged;
         const auto n = static_cast<double>(learner.points.size());
         analysis.rows.push_back(
             {{before + code, {}},
@@ -135,7 +144,7 @@ std::vector<LearningLine> fill_learners(const std::vector<const Row*>& rows,
              {std::to_string(chart.failures), chart.failures},
              fitted ? cell(curve.exponential->asymptote) : AnalysisCell{"-", {}},
              fitted ? cell(curve.exponential->tau_trials) : AnalysisCell{"-", {}},
-             {curve.exponential ? (curve.plateau ? "yes" : "no") : "too few attempts", {}},
+             {plateau_words(curve, fitted, learner.points.size()), {}},
              {cusum_words(chart), {}}});
     }
     return lines;
@@ -151,9 +160,11 @@ Analysis learning_curves(const StudyReport& report, const ChartStyle& style) {
     const RowsByTask tasks = attempts == nullptr ? RowsByTask{} : counted_by_task(*attempts);
     const auto limits = assessment::cusum_limits(0.05, 0.10, 0.05, 0.20);
     analysis.method =
-        "Scores over attempts at a task; y = a - b exp(-(x - 1) / tau) by least squares from 5 "
-        "attempts on, plateau where 95 % of the gain is reached and the slope of the last 10 "
-        "contains 0. CUSUM with p0 0.05, p1 0.10, alpha 0.05, beta 0.20 (limits h0 " +
+        "Scores over attempts at a task; y = a - b exp(-(x - 1) / tau) by least squares from " +
+        std::to_string(assessment::kCurveFrom) +
+        " attempts on that are not all equal, plateau where 95 % of the gain is reached and the "
+        "slope of the last 10 contains 0. CUSUM with p0 0.05, p1 0.10, alpha 0.05, beta 0.20 "
+        "(limits h0 " +
         rounded(limits.h0_lower) + ", h1 " + rounded(limits.h1_upper) +
         "); an attempt that did not pass is a failure.";
     analysis.head = {"participant", "attempts", "first",           "last", "best", "failures",

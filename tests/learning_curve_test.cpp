@@ -64,4 +64,21 @@ TEST(LearningCurve, AFewTrialsGiveNoExponential) {
     EXPECT_FALSE(got.plateau);
 }
 
+TEST(LearningCurve, EqualScoresAreConstantAndNotScattered) {
+    const LearningCurve got = learning_curve(std::vector{80.0, 80.0, 80.0, 80.0, 80.0, 80.0});
+    EXPECT_TRUE(got.constant);
+    EXPECT_FALSE(got.exponential);
+    EXPECT_FALSE(learning_curve(std::vector{80.0, 80.0, 80.0, 80.0, 80.0, 81.0}).constant);
+}
+
+TEST(LearningCurve, TheSlopeOfOneOrTwoScoresHasNoInterval) {
+    EXPECT_FALSE(learning_curve(std::vector{80.0}).last10_slope_ci95);
+    EXPECT_FALSE(learning_curve(std::vector{80.0, 90.0}).last10_slope_ci95);
+    // 1, 2, 4: slope 1.5 with a standard error of sqrt(1 / 12); t(0.975; 1) = 12.7062.
+    const auto slope = learning_curve(std::vector{1.0, 2.0, 4.0}).last10_slope_ci95;
+    ASSERT_TRUE(slope);
+    EXPECT_NEAR(slope->low, 1.5 - 12.7062047 * std::sqrt(1.0 / 12), 1e-6);
+    EXPECT_NEAR(slope->high, 1.5 + 12.7062047 * std::sqrt(1.0 / 12), 1e-6);
+}
+
 }  // namespace THIS_TEST

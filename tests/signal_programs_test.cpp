@@ -233,6 +233,12 @@ TEST_F(Programs, StatisticsAnswerWithNAndNameTheWrongCell) {
     EXPECT_THAT(ctl("stats alpha open.csv").err,
                 HasSubstr("open.csv: line 2, column 2: a quoted cell is not closed"));
     EXPECT_EQ(ctl("stats nothing " + table).status, 2);
+    // Two scores lie on a line: how far its slope may be off, nobody can tell.
+    write_text(file("two.csv"), "score\n70\n80\n");
+    const Outcome two = ctl("--json stats learning-curve two.csv");
+    EXPECT_EQ(two.status, 0) << two.err;
+    EXPECT_THAT(two.out, HasSubstr("\"last10_slope_ci95\": null"));
+    EXPECT_EQ(number_in(two.out, "mean_last10"), 75);
 }
 
 }  // namespace THIS_TEST

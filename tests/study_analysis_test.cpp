@@ -202,6 +202,23 @@ TEST(StudyAnalysis, LearningCurveFindsTheCurveItWasMadeFrom) {
     EXPECT_FALSE(analysis.figures.empty());
 }
 
+TEST(StudyAnalysis, WithoutACurveTheTableSaysWhy) {
+    const auto said = [](int trials, auto points) {
+        const auto analysis = reports::learning_curves(study_with(1, trials, points));
+        const auto& line = row(analysis, "P0");
+        EXPECT_FALSE(line[column(analysis, "plateau a")].value);
+        return line[column(analysis, "plateau reached")].text;
+    };
+    EXPECT_EQ(said(6, [](int, int) { return 80.0; }), "all scores are equal");
+    EXPECT_EQ(said(4, [](int, int) { return 80.0; }), "too few attempts");
+    // A curve goes through four points, but the method says five.
+    const auto rising = [](int, int trial) { return 90.0 - 60.0 * std::exp(-trial / 2.0); };
+    EXPECT_EQ(said(4, rising), "too few attempts");
+    const auto five = reports::learning_curves(study_with(1, 5, rising));
+    EXPECT_NEAR(*row(five, "P0")[column(five, "plateau a")].value, 90, 0.01);
+    EXPECT_THAT(five.method, HasSubstr("from 5 attempts on"));
+}
+
 TEST(StudyAnalysis, RatersOfShroutAndFleissAgreeAsPublished) {
     // Shrout & Fleiss 1979, table 2: six targets, four judges; ICC(2,1) .29, (3,1) .71, (2,k) .62.
     const int table[6][4] = {{9, 2, 5, 8}, {6, 1, 3, 2},  {8, 4, 6, 8},

@@ -5,6 +5,7 @@
 
 #include <QProgressBar>
 
+#include "assessment/learning_curve.h"
 #include "assessment/scoring.h"
 #include "curriculum/study.h"
 #include "db/demonstration.h"
@@ -36,6 +37,7 @@ class ShellHintsTest : public QObject {
     void whatIsInDoubtIsNotCalledTuned();
     void whatIsInDoubtIsNamedInTheProgramsLanguage();
     void whatCannotBeReplayedHereSaysSo();
+    void equalScoresAreNotCalledScattered();
     void aDemonstrationSaysWhoMaySignIn();
 
  private:
@@ -448,6 +450,17 @@ void ShellHintsTest::whatCannotBeReplayedHereSaysSo() {
              qPrintable(why));
     QVERIFY(shell_->window().findChild<QWidget*>("replay_progress") == nullptr);
     shell_->whole("36_result_of_another_build");
+    shell_->context().signOut();
+}
+
+void ShellHintsTest::equalScoresAreNotCalledScattered() {
+    QVERIFY(shell_->signIn("nina", "quiet river 7"));
+    for (size_t i = 0; i < assessment::kCurveFrom; ++i)
+        add("trace_contour", assessment::Verdict::kPassed, sim::EndReason::kFinished);
+    shell_->window().open({PageId::kHistory, 0, {}, {{"task", "trace_contour"}}});
+    QVERIFY(shell_->arrives(PageId::kHistory));
+    QCOMPARE(shell_->text("learning_words"),
+             QString("All scores are equal: there is no curve to fit."));
     shell_->context().signOut();
 }
 

@@ -201,7 +201,9 @@ Json curve_of(const std::vector<double>& scores) {
     if (scores.size() >= 50)
         json["moving_avg10_at_50"] =
             std::accumulate(scores.begin() + 40, scores.begin() + 50, 0.0) / 10;
-    json["last10_slope_ci95"] = {c.last10_slope_low, c.last10_slope_high};
+    json["last10_slope_ci95"] =
+        c.last10_slope_ci95 ? Json::array({c.last10_slope_ci95->low, c.last10_slope_ci95->high})
+                            : Json();
     json["plateau"] = c.plateau;
     return json;
 }

@@ -22,7 +22,6 @@ namespace {
 
 /// Of attempts that are not passed: fine up to here, and not acceptable from here on.
 constexpr double kAcceptableRate = 0.05, kTooOftenRate = 0.10;
-constexpr size_t kCurveFrom = 5;  ///< Attempts below which no curve is fitted.
 
 class HistoryPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(HistoryPage)
@@ -101,7 +100,7 @@ class HistoryPage : public Page {
             addChart(layout, counted, pass);
         }
         body_->addWidget(make_card(layout));
-        if (counted.size() >= kCurveFrom) body_->addWidget(curveCard(counted, pass));
+        if (counted.size() >= assessment::kCurveFrom) body_->addWidget(curveCard(counted, pass));
         QTableWidget* table = make_attempts_table(context_, shown, AttemptColumns::kOwn);
         table->setObjectName("history_table");
         table->setMinimumHeight(260);
@@ -138,6 +137,20 @@ class HistoryPage : public Page {
         layout->addWidget(chart);
     }
 
+    static QString curveWords(const assessment::LearningCurve& curve) {
+        if (curve.constant) return tr("All scores are equal: there is no curve to fit.");
+        if (!curve.exponential || !curve.exponential->converged)
+            return tr("No curve fits yet: the scores go up and down without a trend.");
+        if (curve.exponential->gain <= 0)
+            return tr("No learning curve: what fits the scores does not rise.");
+        return tr("The curve approaches %1 points; 95 % of the gain is reached after about %2 "
+                  "attempts. %3")
+            .arg(
+                format_points(curve.exponential->asymptote),
+                format_number(curve.exponential->trial_to_95pct_of_gain, 0),
+                curve.plateau ? tr("You are on the plateau.") : tr("There is still gain to come."));
+    }
+
     /// What the fitted curve says in words, and the CUSUM with its limits.
     QWidget* curveCard(const std::vector<db::AttemptRecord>& counted, double pass) {
         reports::LearningLine line{context_.user().display_name, {}, {}};
@@ -149,19 +162,7 @@ class HistoryPage : public Page {
         layout->setSpacing(kSpace8);
         layout->addWidget(make_label(tr("Learning curve"), "heading"));
         const assessment::LearningCurve curve = assessment::learning_curve(line.points);
-        const bool fits = curve.exponential && curve.exponential->converged;
-        QLabel* words = make_label(
-            fits && curve.exponential->gain <= 0
-                ? tr("No learning curve: what fits the scores does not rise.")
-            : fits
-                ? tr("The curve approaches %1 points; 95 % of the gain is reached after about %2 "
-                     "attempts. %3")
-                      .arg(format_points(curve.exponential->asymptote),
-                           format_number(curve.exponential->trial_to_95pct_of_gain, 0),
-                           curve.plateau ? tr("You are on the plateau.")
-                                         : tr("There is still gain to come."))
-                : tr("No curve fits yet: the scores go up and down without a trend."),
-            "muted");
+        QLabel* words = make_label(curveWords(curve), "muted");
         words->setObjectName("learning_words");
         layout->addWidget(words);
         const reports::Figure figure = reports::learning_figure(

@@ -2410,6 +2410,10 @@
         <translation>Żadna krzywa jeszcze nie pasuje: wyniki rosną i spadają bez trendu.</translation>
     </message>
     <message>
+        <source>All scores are equal: there is no curve to fit.</source>
+        <translation>Wszystkie wyniki są równe: nie ma krzywej do dopasowania.</translation>
+    </message>
+    <message>
         <source>Learning curve and CUSUM</source>
         <translation>Krzywa uczenia i CUSUM</translation>
     </message>
