@@ -8,7 +8,7 @@
 #include <set>
 
 #include "assessment/learning_curve.h"
-#include "assessment/reliability.h"
+#include "assessment/rating_block.h"
 #include "assessment/standard_setting.h"
 #include "assessment/statistics.h"
 #include "reports/analysis_parts.h"
@@ -186,41 +186,12 @@ Analysis learning_curves(const StudyReport& report, const ChartStyle& style) {
 
 namespace {
 
-/// Attempts by raters of one value: the raters that judged most, and the attempts they all judged.
-struct Block {
-    assessment::Scores scores;
-    int raters = 0;
-};
-
-Block complete_block(const std::map<int64_t, std::map<int64_t, double>>& by_attempt) {
-    std::map<int64_t, int> judged;
-    for (const auto& [attempt, raters] : by_attempt)
-        for (const auto& [rater, value] : raters) ++judged[rater];
-    std::vector<std::pair<int, int64_t>> order;
-    for (const auto& [rater, count] : judged) order.emplace_back(-count, rater);
-    std::sort(order.begin(), order.end());
-    Block best;
-    for (size_t k = 2; k <= order.size(); ++k) {
-        Block block;
-        block.raters = static_cast<int>(k);
-        for (const auto& [attempt, raters] : by_attempt) {
-            std::vector<double> line;
-            for (size_t r = 0; r < k; ++r)
-                if (const auto found = raters.find(order[r].second); found != raters.end())
-                    line.push_back(found->second);
-            if (line.size() == k) block.scores.push_back(line);
-        }
-        if (block.scores.size() >= 3 &&
-            block.scores.size() * k > best.scores.size() * static_cast<size_t>(best.raters))
-            best = std::move(block);
-    }
-    return best;
-}
+constexpr size_t kLeastAttempts = 3;  // Of an agreement; with fewer the report says so.
 
 /// A scale or an item that raters judge: attempt, rater, value.
 struct Judged {
     std::string label;
-    std::map<int64_t, std::map<int64_t, double>> values;
+    assessment::RatingTable values;
 };
 
 struct Ratings {
@@ -262,7 +233,7 @@ Ratings ratings_of(const std::set<int64_t>& own, const std::vector<db::RatingRec
 std::vector<ForestRow> fill_agreement(const std::vector<Judged>& judged, Analysis& analysis) {
     std::vector<ForestRow> forest;
     for (const Judged& each : judged) {
-        const Block block = complete_block(each.values);
+        const auto block = assessment::complete_block(each.values, kLeastAttempts);
         if (block.scores.empty()) continue;
         const auto found = icc_of(block.scores);
         if (!found) continue;

@@ -255,6 +255,34 @@ TEST(StudyAnalysis, RatersOfShroutAndFleissAgreeAsPublished) {
     EXPECT_NE(reports::rater_agreement(report, {}, form).problem, "");
 }
 
+TEST(StudyAnalysis, RatersWhoShareAttemptsAreFoundAmongOthersWhoJudgedMore) {
+    const curriculum::Questionnaire form = curriculum::load_questionnaire_text(
+        R"({"id":"r","version":1,"title":{"en":"R"},"items":[{"id":"q","kind":"likert",)"
+        R"("text":{"en":"quality"},"scale_min":1,"scale_max":10,"anchor_low":{"en":"l"},)"
+        R"("anchor_high":{"en":"h"}}]})",
+        "test");
+    const auto report = study_with(20, 1, [](int, int) { return 50.0; });
+    std::vector<db::RatingRecord> ratings;
+    const auto judge = [&](int64_t rater, int from, int to) {
+        for (int target = from; target <= to; ++target) {
+            db::RatingRecord rating;
+            rating.attempt_id = 100 * target + 1;
+            rating.rater_id = rater;
+            rating.answers = {{"q", std::to_string(1 + (target + (rater == 3 ? 1 : 0)) % 9)}};
+            ratings.push_back(rating);
+        }
+    };
+    // The second judged more than the third, and none of what the first judged.
+    judge(1, 1, 10);
+    judge(2, 11, 19);
+    judge(3, 1, 8);
+    const auto analysis = reports::rater_agreement(report, ratings, form);
+    ASSERT_EQ(analysis.problem, "");
+    const auto& line = row(analysis, "quality");
+    EXPECT_EQ(line[column(analysis, "raters")].text, "2");
+    EXPECT_EQ(line[column(analysis, "attempts")].text, "8");
+}
+
 TEST(StudyAnalysis, TheTableIsWrittenWithWholeNumbers) {
     const auto report = study_with(6, 3, retest_points);
     const auto rows = reports::parse_csv(reports::analysis_csv(reports::test_retest(report)));

@@ -472,6 +472,21 @@ void ShellEducatorTest::agreementOfRatersIsTold() {
         QVERIFY(shell.fits());
     }
     shell.whole("85_ratings_icc");
+    // A third rater judges the same three, a fourth one of them: three raters carry the most.
+    for (const auto& [login, most] : {std::pair{"rita", 3}, std::pair{"rolf", 1}}) {
+        add(login, login, {});
+        const int64_t rater = store.accounts().find_login(login)->id;
+        int judged = 0;
+        for (auto rating : store.reviews().ratings("osats")) {
+            if (rating.rater_id != ada || judged == most) continue;
+            ++judged;
+            rating.rater_id = rater;
+            (void)store.reviews().save_rating(rating);
+        }
+    }
+    QVERIFY(shell.click("rail_ratings"));
+    QVERIFY(
+        QTest::qWaitFor([&] { return shell.text("icc").contains("attempts 3, raters 3"); }, 5000));
 }
 
 bool ShellEducatorTest::search(const QString& words) {

@@ -11,7 +11,7 @@
 #include <set>
 
 #include "assessment/correlation.h"
-#include "assessment/reliability.h"
+#include "assessment/rating_block.h"
 #include "curriculum/questionnaire.h"
 #include "db/attempt_counting.h"
 #include "db/packing.h"
@@ -122,47 +122,19 @@ class RatingsPage : public Page {
         return scores.empty() ? std::nullopt : scores.front().value;
     }
 
-    /// Attempts that the same raters have all rated: the largest complete block of two or more.
-    [[nodiscard]] assessment::Scores block(int& raters) const {
-        std::map<int64_t, std::map<int64_t, double>> by_attempt;  // attempt -> rater -> value
-        std::set<int64_t> people;
-        for (const db::RatingRecord& each : ratings_) {
-            const auto value = global(each);
-            if (!value) continue;
-            by_attempt[each.attempt_id][each.rater_id] = *value;
-            people.insert(each.rater_id);
-        }
-        const std::vector<int64_t> all(people.begin(), people.end());
-        assessment::Scores best;
-        raters = 0;
-        // Raters of a centre are few: every pair and the set of all are looked at.
-        std::vector<std::vector<int64_t>> sets;
-        if (all.size() >= 2) sets.push_back(all);
-        for (size_t a = 0; a < all.size(); ++a)
-            for (size_t b = a + 1; b < all.size(); ++b) sets.push_back({all[a], all[b]});
-        for (const auto& set : sets) {
-            assessment::Scores rows;
-            for (const auto& [attempt, values] : by_attempt) {
-                std::vector<double> row;
-                for (const int64_t rater : set)
-                    if (const auto found = values.find(rater); found != values.end())
-                        row.push_back(found->second);
-                if (row.size() == set.size()) rows.push_back(row);
-            }
-            if (rows.size() * set.size() > best.size() * static_cast<size_t>(raters)) {
-                best = rows;
-                raters = static_cast<int>(set.size());
-            }
-        }
-        return best;
+    /// Attempts that the same raters have all rated.
+    [[nodiscard]] assessment::Scores block() const {
+        assessment::RatingTable values;
+        for (const db::RatingRecord& each : ratings_)
+            if (const auto value = global(each)) values[each.attempt_id][each.rater_id] = *value;
+        return assessment::complete_block(values, 2).scores;
     }
 
     QWidget* agreementCard() {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
         layout->addWidget(make_label(tr("Agreement of raters"), "heading"));
-        int raters = 0;
-        const assessment::Scores rows = block(raters);
+        const assessment::Scores rows = block();
         QLabel* said = make_label({});
         said->setObjectName("icc");
         layout->addWidget(said);
