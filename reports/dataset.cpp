@@ -51,7 +51,7 @@ void finish(db::Store& store, const DatasetOptions& options, Dataset& data) {
 int Field::not_applicable_code() const {
     int code = 99, highest = 0;
     for (const Code& each : codes) highest = std::max(highest, each.value);
-    while (code <= highest) code = 10 * code + 9;
+    while (code - 2 <= highest) code = 10 * code + 9;
     return code;
 }
 

@@ -47,7 +47,7 @@ struct Field {
     std::optional<curriculum::ShowIf> show_if;
 
     /// The number that stands for "does not apply" where only numbers can: the first of 99, 999,
-    /// ... above every code.
+    /// ... that leaves room above every code for the two before it, SPSS's other missing codes.
     [[nodiscard]] int not_applicable_code() const;
 };
 

@@ -84,9 +84,10 @@ std::string choices_of(const Form& form, const Field& field) {
 
 std::string validation_of(const Form& form, const Field& field) {
     if (is_slider(form, field)) return "number";
+    // "NA" is no number and no date; the project's missing data codes would have to allow it.
+    if (field.not_applicable) return "";
     if (field.kind == FieldKind::kDate) return "date_ymd";
-    // "NA" is no number; the project's missing data codes would have to allow it.
-    return field.kind == FieldKind::kDecimal && !field.not_applicable ? "number" : "";
+    return field.kind == FieldKind::kDecimal ? "number" : "";
 }
 
 /// `[name] = '1' or [name] = '2'`; a checkbox has one name a choice.

@@ -53,11 +53,16 @@ constexpr std::array<const char*, 6> kHead{"participant", "answered_utc",  "lang
                                            "instance",    "demonstration", "questionnaire"};
 
 /// The codes are missing, missing + 1 and missing + 2: not answered, not asked, does not apply.
+/// No answer is one of them.
 double missing_codes(const Field& field) {
     if (field.kind == FieldKind::kCode) return field.not_applicable_code() - 2;
     if (field.kind == FieldKind::kMultiple) return 97;
-    if (field.kind == FieldKind::kDecimal && field.minimum && *field.minimum > -9000) return -9999;
-    return 0;
+    double code = -9999;
+    if (field.kind == FieldKind::kDate) return code;  // seconds, and no whole days
+    if (field.kind != FieldKind::kDecimal || !field.minimum) return 0;
+    // A questionnaire's least number is -1e9: there is always a whole number below it.
+    while (code + 2 >= *field.minimum) code = 10 * code - 9;
+    return code;
 }
 
 }  // namespace
