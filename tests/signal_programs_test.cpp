@@ -241,4 +241,20 @@ TEST_F(Programs, StatisticsAnswerWithNAndNameTheWrongCell) {
     EXPECT_EQ(number_in(two.out, "mean_last10"), 75);
 }
 
+TEST_F(Programs, ReverseKeyedItemsAreTurnedRoundOnTheScaleThatIsReported) {
+    // Nobody answered 1: on 2 to 5 the item B would be 5, 5 and 4.
+    write_text(file("items.csv"), "A,B\n5,2\n4,2\n5,3\n");
+    for (const char* scale : {"", " --scale 1:5"}) {
+        const Outcome likert =
+            ctl("--json stats likert items.csv --reverse B" + std::string(scale));
+        ASSERT_EQ(likert.status, 0) << likert.err;
+        const size_t at = likert.out.find("scale_mean");
+        ASSERT_NE(at, std::string::npos) << likert.out;
+        EXPECT_NEAR(number_in(likert.out.substr(at), "mean"), 25.0 / 6, 1e-9) << scale;
+        EXPECT_NEAR(number_in(likert.out, "chisq"), 2, 1e-9) << scale;
+        EXPECT_NEAR(number_in(likert.out, "p"), 0.157299207050285, 1e-9) << scale;
+        EXPECT_NEAR(number_in(likert.out, "kendall_W"), 2.0 / 3, 1e-9) << scale;
+    }
+}
+
 }  // namespace THIS_TEST

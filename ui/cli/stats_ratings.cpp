@@ -42,11 +42,13 @@ Json likert_item(const std::vector<double>& answers, int missing, const Scale& s
     return item;
 }
 
-/// What the items say together, over complete cases with reverse-keyed items turned round.
-void add_scale(Json& json, const StatsTable& table, const StatsOptions& options) {
+/// What the items say together, over complete cases with reverse-keyed items turned round on the
+/// scale that is reported.
+void add_scale(Json& json, const StatsTable& table, const StatsOptions& options,
+               const Scale& scale) {
     CompleteCases cases;
     try {
-        cases = complete_cases(table, options);
+        cases = complete_cases(table, options, scale);
     } catch (const InputError&) {
         if (!options.reverse.empty()) throw;
         return;  // No row is complete: the items stand alone.
@@ -131,7 +133,7 @@ Json likert(const StatsTable& table, const StatsOptions& options) {
               {"sd", "sample (n-1) and population"},
               {"missing_rule", "left out item by item"},
               {"items", items}};
-    if (!is_long && names.size() > 1) add_scale(json, table, options);
+    if (!is_long && names.size() > 1) add_scale(json, table, options, scale);
     return json;
 }
 

@@ -126,7 +126,8 @@ Scale scale_of(const StatsTable& table, const StatsOptions& options) {
     return {static_cast<int>(low), static_cast<int>(high)};
 }
 
-CompleteCases complete_cases(const StatsTable& table, const StatsOptions& options) {
+CompleteCases complete_cases(const StatsTable& table, const StatsOptions& options,
+                             const std::optional<Scale>& scale) {
     CompleteCases cases;
     cases.items = table.header;
     std::vector<std::string> reverse_keyed;
@@ -135,7 +136,8 @@ CompleteCases complete_cases(const StatsTable& table, const StatsOptions& option
         (void)table.column(item);  // names the columns when it is not there
         reverse_keyed.push_back(item);
     }
-    const Scale scale = options.reverse.empty() ? Scale{} : scale_of(table, options);
+    Scale ends;
+    if (!options.reverse.empty()) ends = scale ? *scale : scale_of(table, options);
     for (size_t row = 0; row < table.rows.size(); ++row) {
         std::vector<double> scores;
         for (size_t column = 0; column < table.header.size(); ++column) {
@@ -143,8 +145,7 @@ CompleteCases complete_cases(const StatsTable& table, const StatsOptions& option
             if (!value) break;
             const bool reverse = std::find(reverse_keyed.begin(), reverse_keyed.end(),
                                            table.header[column]) != reverse_keyed.end();
-            scores.push_back(reverse ? assessment::reversed(*value, scale.low, scale.high)
-                                     : *value);
+            scores.push_back(reverse ? assessment::reversed(*value, ends.low, ends.high) : *value);
         }
         if (scores.size() == table.header.size())
             cases.scores.push_back(scores);

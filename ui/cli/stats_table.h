@@ -49,6 +49,12 @@ struct StatsOptions {
     int digits = 0;  ///< Of the differences (wilcoxon); 0: exact.
 };
 
+/// Lowest and highest value of the scale: --scale, else the least and largest answer.
+struct Scale {
+    int low = 1, high = 5;
+};
+[[nodiscard]] Scale scale_of(const StatsTable& table, const StatsOptions& options);
+
 /// Complete cases of the table's items (all columns), reverse-keyed ones turned round.
 struct CompleteCases {
     std::vector<std::string> items;
@@ -56,15 +62,11 @@ struct CompleteCases {
     int missing = 0;                    ///< Rows left out.
     std::vector<std::string> constant;  ///< Items left out by leave_out_constant().
 };
-[[nodiscard]] CompleteCases complete_cases(const StatsTable& table, const StatsOptions& options);
+/// @param scale  That reverse-keyed items are turned round on; none: scale_of().
+[[nodiscard]] CompleteCases complete_cases(const StatsTable& table, const StatsOptions& options,
+                                           const std::optional<Scale>& scale = {});
 /// Takes out the items that everybody answered alike, as psych::alpha does.
 void leave_out_constant(CompleteCases& cases);
-
-/// Lowest and highest value of the scale: --scale, else the least and largest answer.
-struct Scale {
-    int low = 1, high = 5;
-};
-[[nodiscard]] Scale scale_of(const StatsTable& table, const StatsOptions& options);
 
 /// Values by group, groups in order of name. Counts rows without value or group in `missing`.
 [[nodiscard]] std::vector<assessment::NamedGroup> groups_of(const StatsTable& table,
