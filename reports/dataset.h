@@ -53,7 +53,7 @@ struct Field {
 
 struct Row {
     std::string participant;  ///< "P001-K", or "U12" for an account.
-    int instance = 1;         ///< Counts rows of one participant in a repeating form.
+    int instance = 1;         ///< Counts rows of one participant, those of answers by visit.
     std::string at_utc, language;
     bool demonstration = false;
     int64_t attempt_id = 0;  ///< Of an attempt; else 0.

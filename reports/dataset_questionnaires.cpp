@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "reports/dataset_forms.h"
 #include "reports/report.h"
@@ -143,6 +144,15 @@ std::set<std::string> asked_at_several(const Dataset& data, const StepOfAnswers&
     return several;
 }
 
+/// By participant and visit: the first answers are those of the first visit, whenever they were
+/// entered. Those of one visit stay in the order of saving.
+void sort_by_visit(std::vector<const db::AnswerRecord*>& records) {
+    std::sort(records.begin(), records.end(), [](const auto* a, const auto* b) {
+        return std::tie(a->participant, a->visit, a->id) <
+               std::tie(b->participant, b->visit, b->id);
+    });
+}
+
 /// Puts the step in front of a form's fields: "step", or "study_step" where an item is called so.
 void add_steps(Form& form, const StepOfAnswers& step_of) {
     const std::string id = form.field("step") == nullptr ? "step" : "study_step";
@@ -169,7 +179,8 @@ void add_questionnaires(db::Store& store, const std::vector<db::StepRecord>& ste
     }
     int visits = 1;
     for (const db::AnswerRecord& record : data.answers) visits = std::max(visits, record.visit);
-    for (const auto& [key, records] : groups) {
+    for (auto& [key, records] : groups) {
+        sort_by_visit(records);
         const auto questionnaire = questionnaire_of(store, key.first, key.second);
         Form form = questionnaire_form(questionnaire, options);
         if (versions[key.first] > 1) form.name += "_v" + std::to_string(key.second);
