@@ -34,6 +34,8 @@ using RowsByTask = std::map<std::string, std::vector<const Row*>>;
 /// "0.52 (0.1), n 12": mean and standard deviation.
 [[nodiscard]] std::string group_text(const std::vector<double>& values);
 [[nodiscard]] std::string p_words(double p);  ///< "0.012", "< 0.001"
+/// "the exact Mann-Whitney test", or what else stands behind `all` values of p.
+[[nodiscard]] std::string mann_whitney_words(size_t exact, size_t all);
 [[nodiscard]] std::string interval_words(const std::optional<assessment::Interval>& interval);
 
 }  // namespace placode::reports

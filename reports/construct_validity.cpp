@@ -114,7 +114,7 @@ struct Comparison {
     std::vector<std::vector<double>> values;
     double p = 1, effect = 0;
     std::optional<assessment::Interval> interval;
-    std::string test;
+    bool exact = false;  ///< p is of the permutation distribution.
 };
 
 /// Two levels: exact where small; more: Kruskal and Wallis.
@@ -130,7 +130,7 @@ std::optional<Comparison> compare(const std::string& label, std::vector<std::vec
     if (values.size() == 2) {
         const MannWhitney test = assessment::mann_whitney(values[1], values[0]);
         found.p = test.p_exact.value_or(test.p_asymptotic_cc);
-        found.test = test.p_exact ? "exact Mann-Whitney" : "Mann-Whitney";
+        found.exact = test.p_exact.has_value();
         found.effect = test.hedges_g;
         if (std::isfinite(test.hedges_g_ci95.low) && std::isfinite(test.hedges_g_ci95.high))
             found.interval = test.hedges_g_ci95;
@@ -140,7 +140,6 @@ std::optional<Comparison> compare(const std::string& label, std::vector<std::vec
         const auto test = assessment::kruskal_wallis(groups);
         found.p = test.p;
         found.effect = test.epsilon2;
-        found.test = "Kruskal-Wallis";
     }
     if (!std::isfinite(found.effect)) return std::nullopt;
     found.values = std::move(values);
@@ -171,18 +170,21 @@ Figure effects_figure(const std::vector<Comparison>& list, const std::vector<dou
                          rows, levels.names.size() == 2 ? low : 0, high, style);
 }
 
-/// How levels were compared over so many metrics.
-std::string comparison_method(const Levels& levels, size_t metrics) {
+/// How levels were compared over these metrics.
+std::string comparison_method(const Levels& levels, const std::vector<Comparison>& list) {
     const bool two = levels.names.size() == 2;
+    const auto exact = static_cast<size_t>(
+        std::count_if(list.begin(), list.end(), [](const Comparison& each) { return each.exact; }));
     return "Levels: " + levels.label +
            ". Means of each person over the attempts at a task, then compared between levels: mean "
            "(SD), n. " +
            (two ? "Hedges' g with its 95 % interval by the noncentral t distribution, positive "
                   "where "
                   "\"" +
-                      levels.names[1] + "\" is higher; Mann-Whitney, exact up to 60 people."
+                      levels.names[1] + "\" is higher; p of " +
+                      mann_whitney_words(exact, list.size()) + "."
                 : std::string("Kruskal-Wallis, tie-corrected, with epsilon squared.")) +
-           " p adjusted by Holm over " + std::to_string(metrics) + " metrics.";
+           " p adjusted by Holm over " + std::to_string(list.size()) + " metrics.";
 }
 
 /// A row a metric: the levels side by side, effect, interval and p.
@@ -282,7 +284,7 @@ Analysis construct_validity(const StudyReport& report, const std::string& by,
     std::vector<double> p;
     for (const Comparison& each : list) p.push_back(each.p);
     const auto holm = assessment::holm_adjusted(p);
-    analysis.method = comparison_method(*levels, list.size());
+    analysis.method = comparison_method(*levels, list);
     fill_table(list, holm, *levels, analysis);
     analysis.figures.push_back(effects_figure(list, holm, *levels, style));
     add_score_strips(tasks, *attempts->field("points"), *levels, style, analysis);

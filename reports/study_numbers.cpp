@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "reports/analysis_parts.h"
 
@@ -147,8 +148,9 @@ std::optional<GroupComparison> comparison_of(const Dataset& data) {
                     row.field = &field;
                     row.delta = assessment::cliffs_delta(first, second);
                     const auto test = assessment::mann_whitney(first, second);
-                    row.p_exact = test.p_exact.value_or(test.p_asymptotic_cc);
-                    p_values.push_back(row.p_exact);
+                    row.p = test.p_exact.value_or(test.p_asymptotic_cc);
+                    row.exact = test.p_exact.has_value();
+                    p_values.push_back(row.p);
                     comparison.rows.push_back(row);
                 }
                 if (comparison.rows.empty()) continue;
@@ -165,29 +167,41 @@ std::optional<GroupComparison> comparison_of(const Dataset& data) {
     return std::nullopt;
 }
 
+/// Of forms that few have answered, however many were enrolled.
+void add_cautions_of_few(StudyNumbers& numbers) {
+    std::map<int, std::string> few;  // by the number of first answers
+    for (const FormNumbers& form : numbers.forms) {
+        const auto n = static_cast<int>(first_rows(*form.form).size());
+        if (n == 0 || n >= kSmall) continue;
+        few[n] += (few[n].empty() ? "" : ", ") + form.form->name;
+    }
+    for (const auto& [n, forms] : few) {
+        const auto wide = assessment::wilson_interval((6 * n + 3) / 7, n);
+        numbers.cautions.push_back(
+            "n = " + std::to_string(n) + " (" + forms + "): a share of " +
+            std::to_string((6 * n + 3) / 7) + "/" + std::to_string(n) +
+            " has a 95 % interval from " +
+            std::to_string(static_cast<int>(std::lround(100 * wide.low))) + " % to " +
+            std::to_string(static_cast<int>(std::lround(100 * wide.high))) +
+            " %. Differences between items smaller than the intervals are not established.");
+    }
+    if (few.empty()) return;
+    numbers.cautions.push_back(
+        "Student's intervals of means treat the answers as numbers from a normal "
+        "distribution; on a scale of a few points and a small sample they are approximate. The "
+        "median and the counts need no such assumption.");
+    numbers.cautions.push_back(
+        "McDonald's omega, factor structure and measurement invariance are not reported: "
+        "fewer than 30 respondents cannot carry them. Cronbach's alpha is shown with its "
+        "interval and must be read with it.");
+}
+
 void add_cautions(StudyNumbers& numbers, const Dataset& data) {
-    const auto n = static_cast<int>(data.participants.size());
     if (data.demonstration)
         numbers.cautions.push_back(
             "The data are simulated (demonstration): they show what the report looks like and "
             "say nothing about the simulator.");
-    if (n < kSmall) {
-        const auto wide = assessment::wilson_interval((6 * n + 3) / 7, std::max(1, n));
-        numbers.cautions.push_back(
-            "n = " + std::to_string(n) + ": a share of " + std::to_string((6 * n + 3) / 7) + "/" +
-            std::to_string(n) + " has a 95 % interval from " +
-            std::to_string(static_cast<int>(std::lround(100 * wide.low))) + " % to " +
-            std::to_string(static_cast<int>(std::lround(100 * wide.high))) +
-            " %. Differences between items smaller than the intervals are not established.");
-        numbers.cautions.push_back(
-            "Student's intervals of means treat the answers as numbers from a normal "
-            "distribution; on a scale of a few points and a small sample they are approximate. The "
-            "median and the counts need no such assumption.");
-        numbers.cautions.push_back(
-            "McDonald's omega, factor structure and measurement invariance are not reported: "
-            "fewer than 30 respondents cannot carry them. Cronbach's alpha is shown with its "
-            "interval and must be read with it.");
-    }
+    add_cautions_of_few(numbers);
     for (const FormNumbers& form : numbers.forms)
         for (const ItemNumbers& item : form.items)
             if (item.summary.n > 0 && item.summary.sd && *item.summary.sd == 0)
@@ -215,6 +229,18 @@ void add_cautions(StudyNumbers& numbers, const Dataset& data) {
 }
 
 }  // namespace
+
+size_t GroupComparison::exact_rows() const {
+    return static_cast<size_t>(
+        std::count_if(rows.begin(), rows.end(), [](const Row& row) { return row.exact; }));
+}
+
+std::string mann_whitney_words(size_t exact, size_t all) {
+    if (exact == all) return "the exact Mann-Whitney test";
+    return std::string("the Mann-Whitney test (") +
+           (exact > 0 ? "exact up to 60 people, else " : "") +
+           "normal approximation with continuity correction)";
+}
 
 StudyNumbers study_numbers(const Dataset& data,
                            const std::vector<curriculum::Questionnaire>& instruments) {

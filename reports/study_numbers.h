@@ -64,9 +64,11 @@ struct GroupComparison {
     struct Row {
         const Field* field = nullptr;
         assessment::CliffsDelta delta;
-        double p_exact = 1, p_holm = 1;
+        double p = 1, p_holm = 1;
+        bool exact = true;  ///< p is of the permutation distribution, else of the normal one.
     };
     std::vector<Row> rows;
+    [[nodiscard]] size_t exact_rows() const;
     double least_p = 1;  ///< No p can be smaller with these group sizes: 2 / C(n1 + n2, n1).
 };
 

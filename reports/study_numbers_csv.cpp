@@ -62,7 +62,7 @@ void add_comparison(Table& table, const GroupComparison& comparison) {
         table.add(row.field->id, "delta", row.delta.delta);
         if (!row.delta.separated)
             table.add(row.field->id, "delta_ci95", std::optional(row.delta.ci95));
-        table.add(row.field->id, "p_exact", row.p_exact);
+        table.add(row.field->id, row.exact ? "p_exact" : "p_normal", row.p);
         table.add(row.field->id, "p_holm", row.p_holm);
     }
 }

@@ -75,11 +75,9 @@ std::optional<Figure> comparison_figure(const StudyNumbers& numbers, const Chart
     const GroupComparison& comparison = *numbers.comparison;
     std::vector<ForestRow> rows;
     for (const auto& each : comparison.rows)
-        rows.push_back({item_label(*each.field), each.delta.delta, each.delta.ci95.low,
-                        each.delta.ci95.high,
-                        "p " + number(each.p_exact, 3).toStdString() + ", Holm " +
-                            number(each.p_holm, 3).toStdString(),
-                        each.delta.separated});
+        rows.push_back(
+            {item_label(*each.field), each.delta.delta, each.delta.ci95.low, each.delta.ci95.high,
+             "p " + p_words(each.p) + ", Holm " + p_words(each.p_holm), each.delta.separated});
     return forest_figure(
         "forest_" + comparison.form->name,
         comparison.by->label + " " + comparison.group1 + " (n = " + std::to_string(comparison.n1) +

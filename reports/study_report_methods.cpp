@@ -105,7 +105,8 @@ void write_methods(Paper& paper, const StudyReport& report) {
         "type 7. The interval of a mean is Student's, of a share Wilson's score interval, of "
         "Cronbach's alpha Feldt's, of Cliff's delta that of DeLong's area (delta = 2 A - 1); all "
         "intervals are at 95 %, all tests two-sided. Groups are compared by the exact permutation "
-        "distribution of the Mann-Whitney statistic with ties; p values of one family are adjusted "
+        "distribution of the Mann-Whitney statistic with ties, above 60 people by its normal "
+        "approximation with continuity correction; p values of one family are adjusted "
         "by Holm's method. Top-2 is the share of answers in the two highest categories among "
         "those given. Missing answers are left out item by item and counted; alpha uses complete "
         "cases. Of repeated answers the first is analysed.</p>"));

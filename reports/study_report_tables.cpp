@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reports/analysis_parts.h"
 #include "reports/study_report_parts.h"
 #include "reports/text.h"
 
@@ -112,20 +113,30 @@ void write_scales(Paper& paper, const FormNumbers& form) {
 void write_comparison(Paper& paper, const StudyNumbers& numbers) {
     if (!numbers.comparison) return;
     const GroupComparison& c = *numbers.comparison;
+    const size_t exact = c.exact_rows();
+    const bool all_exact = exact == c.rows.size(), mixed = exact > 0 && !all_exact;
     std::vector<QStringList> rows;
     for (const auto& each : c.rows)
         rows.push_back(
             {safe(item_label(*each.field)), number(each.delta.delta, 2),
              each.delta.separated ? QStringLiteral("none") : interval(each.delta.ci95, 2),
-             p_text(each.p_exact), p_text(each.p_holm)});
-    paper.table(safe(c.by->label) + " " + safe(c.group1) + " (n = " + QString::number(c.n1) +
-                    ") against " + safe(c.group2) + " (n = " + QString::number(c.n2) +
-                    "): Cliff's delta with DeLong's 95 % interval, exact two-sided Mann-Whitney p, "
-                    "adjusted by Holm over " +
-                    QString::number(c.rows.size()) +
-                    " items. The least p that these group sizes allow without ties is " +
-                    number(c.least_p, 4) + ".",
-                {"item", "delta", "95 % interval", "p (exact)", "p (Holm)"}, "lrrrr", rows);
+             p_text(each.p) + (mixed ? each.exact ? " (exact)" : " (normal)" : ""),
+             p_text(each.p_holm)});
+    const QString least = c.least_p < 0.0001 ? "below 0.0001" : number(c.least_p, 4);
+    paper.table(
+        safe(c.by->label) + " " + safe(c.group1) + " (n = " + QString::number(c.n1) + ") against " +
+            safe(c.group2) + " (n = " + QString::number(c.n2) +
+            "): Cliff's delta with DeLong's 95 % interval, two-sided p of " +
+            QString::fromStdString(mann_whitney_words(exact, c.rows.size())) +
+            ", adjusted by Holm over " + QString::number(c.rows.size()) + " items." +
+            (all_exact ? " The least p that these group sizes allow without ties is " + least + "."
+                       : QString()),
+        {"item", "delta", "95 % interval",
+         all_exact ? "p (exact)"
+         : mixed   ? "p"
+                   : "p (normal)",
+         "p (Holm)"},
+        "lrrrr", rows);
 }
 
 }  // namespace placode::reports

@@ -111,6 +111,16 @@ TEST(StudyAnalysis, AnEffectBeyondTheAxisKeepsItsNumberInTheCsvOfItsFigure) {
     EXPECT_THAT(analysis.figures.front().caption, HasSubstr("beyond the axis"));
 }
 
+TEST(StudyAnalysis, APOfTheNormalApproximationIsNotCalledExact) {
+    const auto score = [](int person, int) { return (person % 2 == 1 ? 60.0 : 40.0) + person; };
+    const auto few = reports::construct_validity(study_with(60, 1, score), {});
+    EXPECT_THAT(few.method, HasSubstr("the exact Mann-Whitney test"));
+    const auto many = reports::construct_validity(study_with(62, 1, score), {});
+    ASSERT_EQ(many.problem, "");
+    EXPECT_THAT(many.method, testing::Not(HasSubstr("exact")));
+    EXPECT_THAT(many.method, HasSubstr("normal approximation"));
+}
+
 /// First attempt to be left out, then 10 k + 1 and 10 k + 2, the last of every other person half a
 /// point more.
 double retest_points(int person, int trial) {

@@ -15,6 +15,8 @@
 #include "curriculum/task.h"
 #include "db/standards.h"
 #include "shell_harness.h"
+#include "ui/shell/parts.h"
+#include "ui/shell/standard_cards.h"
 
 namespace placode::ui {
 
@@ -51,6 +53,7 @@ class ShellEducatorTest : public QObject {
     void cohortLeadsToTheAttemptsAndIsExported();
     void cohortAndPersonAreReportedOnPaper();
     void standardComesFromTwoGroups();
+    void aSmallPIsNotNought();
     void metricsWithoutEvidenceAreFlagged();
     void judgesEstimateAPassMark();
     void estimatesStayUntilTheyAreSet();
@@ -286,6 +289,20 @@ void ShellEducatorTest::standardComesFromTwoGroups() {
             shell.find<QLabel>("cut_score") != nullptr);
     QVERIFY(put(0, 3, "mark_neither"));
     QVERIFY(shell.find<QLabel>("cut_score") == nullptr);
+}
+
+void ShellEducatorTest::aSmallPIsNotNought() {
+    // Twelve against twelve without an overlap: p is 0.00004.
+    std::vector<double> novices, experts;
+    for (int i = 0; i < 12; ++i) {
+        novices.push_back(30 + i);
+        experts.push_back(70 + i);
+    }
+    const std::unique_ptr<QFrame> card(
+        make_contrasting_card(shell_->context(), novices, experts, {}));
+    QString said;
+    for (const QLabel* label : card->findChildren<QLabel*>()) said += label->text() + "\n";
+    QVERIFY2(said.contains("Mann-Whitney p < " + format_number(0.001, 3)), qPrintable(said));
 }
 
 void ShellEducatorTest::metricsWithoutEvidenceAreFlagged() {

@@ -20,6 +20,11 @@ struct StandardsWords {
     Q_DECLARE_TR_FUNCTIONS(StandardsPage)
 };
 
+/// "0.012", "< 0.001"
+QString p_text(double p) {
+    return p < 0.001 ? "< " + format_number(0.001, 3) : format_number(p, 3);
+}
+
 void add_result(QVBoxLayout* layout, const AppContext& context,
                 const assessment::ContrastingGroups& result, const std::vector<double>& novices,
                 const std::vector<double>& experts) {
@@ -58,7 +63,7 @@ void add_result(QVBoxLayout* layout, const AppContext& context,
         StandardsWords::tr(
             "AUC %1, Cohen's d %2, Mann-Whitney p %3. Method: Jorgensen, Konge and Subhi 2018.")
             .arg(format_number(result.auc, 2), format_number(result.cohens_d, 2),
-                 format_number(result.mannwhitney_p_cc, 3)),
+                 p_text(result.mannwhitney_p_cc)),
         "small"));
     if (result.n_novice < kFewInGroup || result.n_expert < kFewInGroup)
         layout->addWidget(
