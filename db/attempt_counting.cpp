@@ -7,6 +7,7 @@
 #include <set>
 
 #include "curriculum/machine_speed.h"
+#include "db/said.h"
 
 namespace placode::db {
 
@@ -54,6 +55,15 @@ bool machine_at_fault(const AttemptRecord& attempt) noexcept {
            std::none_of(reasons.begin(), reasons.end(), [](const VoidReason& reason) {
                return reason.cause == VoidCause::kTuned || is_doubt(reason.cause);
            });
+}
+
+void need_same_rules(const std::string& what, const AttemptRecord& a, const AttemptRecord& b) {
+    if (a.task_version == b.task_version && a.rubric_id == b.rubric_id &&
+        a.rubric_version == b.rubric_version)
+        return;
+    throw StoreError(StoreError::Kind::kRefused, what,
+                     Said::that("the attempts are of different versions of the task or of its "
+                                "rubric; choose people whose attempts are of one version"));
 }
 
 std::vector<AttemptRecord> other_attempts(Store& store, const AttemptRecord& attempt) {

@@ -6,6 +6,7 @@
 // standards, cohort or studies. What a script did counts for demonstration accounts
 // (db/attempt_rows.h): for anybody else a record that was read says that it is void.
 
+#include <string>
 #include <vector>
 
 #include "db/store.h"
@@ -30,6 +31,10 @@ namespace placode::db {
 
 /// What was recorded proves nothing: neither an exam nor of a study any more, but practice.
 [[nodiscard]] bool not_verified(const AttemptRecord& attempt) noexcept;
+
+/// Others are judged only by what can be compared: throws StoreError kRefused, beginning with
+/// `what`, unless both are of the same version of the task and were scored under the same rubric.
+void need_same_rules(const std::string& what, const AttemptRecord& a, const AttemptRecord& b);
 
 /// Attempts at the same task of whose it is, oldest first: of the person, or of the participant
 /// within the study.

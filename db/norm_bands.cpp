@@ -84,6 +84,16 @@ void need_proof(const std::vector<LevelAttempts>& levels) {
                    .with(all));
 }
 
+void need_same_rules(const std::vector<LevelAttempts>& levels) {
+    const AttemptRecord* first = nullptr;
+    for (const LevelAttempts& level : levels)
+        for (const auto& [person, attempts] : level.by_person)
+            for (const MeasuredAttempt& attempt : attempts) {
+                if (first == nullptr) first = &attempt.record;
+                need_same_rules("norms: ", *first, attempt.record);
+            }
+}
+
 void leave_demonstrations_out(Store& store, std::vector<LevelAttempts>& levels) {
     if (is_demonstration_store(store.accounts().list())) return;
     for (LevelAttempts& level : levels) {
@@ -194,16 +204,11 @@ curriculum::NormPack make_norms(const std::vector<LevelAttempts>& levels, const 
     pack.metric_set_version = first.metric_set_version;
     pack.preprocessing_version = first.preprocessing_version;
     need_proof(levels);
+    need_same_rules(levels);
     for (const LevelAttempts& level : levels)
         for (const auto& [person, attempts] : level.by_person)
-            for (const MeasuredAttempt& attempt : attempts) {
+            for (const MeasuredAttempt& attempt : attempts)
                 pack.demonstration = pack.demonstration || attempt.record.demonstration;
-                if (attempt.record.rubric_version != first.rubric_version ||
-                    attempt.record.rubric_id != first.rubric_id)
-                    refuse(
-                        Said::that("the attempts were scored under different rubrics; rescore them "
-                                   "under one first"));
-            }
     for (const LevelAttempts& level : levels)
         pack.groups.push_back(group_of(level, metrics_in(all)));
     return pack;

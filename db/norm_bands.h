@@ -34,6 +34,9 @@ struct LevelAttempts {
 /// demonstration need not be; whoever makes something of it says that it is one.
 void need_proof(const std::vector<LevelAttempts>& levels);
 
+/// As need_same_rules() of db/attempt_counting.h, over all these attempts.
+void need_same_rules(const std::vector<LevelAttempts>& levels);
+
 /// For what real people are judged by: demonstrations stay only where all accounts are there to
 /// demonstrate.
 void leave_demonstrations_out(Store& store, std::vector<LevelAttempts>& levels);

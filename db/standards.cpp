@@ -45,6 +45,24 @@ void need_proof_of(const std::string& task_id,
                              .with(all));
 }
 
+void need_one_version_of(const std::string& task_id,
+                         const std::vector<std::vector<AttemptRecord>>& judged) {
+    const AttemptRecord* first = nullptr;
+    for (const auto& own : judged)
+        for (const AttemptRecord& each : own) {
+            if (first == nullptr) first = &each;
+            need_same_rules("standard of " + task_id + ": ", *first, each);
+        }
+}
+
+std::vector<std::vector<AttemptRecord>> fit_to_judge(Store& store, const std::string& task_id,
+                                                     const std::vector<int64_t>& people, int last) {
+    auto judged = judging(store, task_id, people, last);
+    need_proof_of(task_id, judged);
+    need_one_version_of(task_id, judged);
+    return judged;
+}
+
 }  // namespace
 
 std::optional<StandardRecord> standard_at(Store& store, const std::string& task_id,
@@ -79,17 +97,15 @@ assessment::Rubric rubric_at(Store& store, const curriculum::Task& task,
     return rubric;
 }
 
-void need_replayed(Store& store, const std::string& task_id, const std::vector<int64_t>& people,
-                   int last) {
-    need_proof_of(task_id, judging(store, task_id, people, last));
+void need_fit_to_judge(Store& store, const std::string& task_id, const std::vector<int64_t>& people,
+                       int last) {
+    (void)fit_to_judge(store, task_id, people, last);
 }
 
 std::vector<double> person_means(Store& store, const std::string& task_id,
                                  const std::vector<int64_t>& people, int last) {
-    const auto judged = judging(store, task_id, people, last);
-    need_proof_of(task_id, judged);
     std::vector<double> means;
-    for (const auto& own : judged) {
+    for (const auto& own : fit_to_judge(store, task_id, people, last)) {
         std::vector<double> points;
         points.reserve(own.size());
         for (const AttemptRecord& each : own) points.push_back(each.points);

@@ -33,13 +33,15 @@ int set_standard(Store& store, curriculum::PassStandard standard, const std::str
                                            const std::string& at_utc = {});
 
 /// Others are judged by a standard, as by norms: throws StoreError kRefused where one of the last
-/// `last` attempts of these people that count was never simulated again. Demonstrations are in no
-/// standard, but where all accounts are there to demonstrate; there they need not be proved.
-void need_replayed(Store& store, const std::string& task_id, const std::vector<int64_t>& people,
-                   int last);
+/// `last` attempts of these people that count was never simulated again, or where they are not all
+/// of one version of the task and its rubric. Demonstrations are in no standard, but where all
+/// accounts are there to demonstrate; there they need not be proved.
+/// @param people of both groups: what is compared with each other.
+void need_fit_to_judge(Store& store, const std::string& task_id, const std::vector<int64_t>& people,
+                       int last);
 
-/// Of each of these people the mean of the attempts that need_replayed() asks for; who has none is
-/// left out. Throws as need_replayed().
+/// Of each of these people the mean of the attempts that need_fit_to_judge() asks for; who has none
+/// is left out. Throws as need_fit_to_judge().
 [[nodiscard]] std::vector<double> person_means(Store& store, const std::string& task_id,
                                                const std::vector<int64_t>& people, int last);
 

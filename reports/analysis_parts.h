@@ -22,6 +22,8 @@ namespace placode::reports {
 using RowsByTask = std::map<std::string, std::vector<const Row*>>;
 /// @pre `attempts` outlives the result.
 [[nodiscard]] RowsByTask counted_by_task(const Form& attempts);
+/// Where attempts at one task that count are of several versions of it or of its rubric: says so.
+[[nodiscard]] std::string versions_caution(const Form& attempts);
 /// "ring: " before what is said of one of several tasks; nothing where there is only one.
 [[nodiscard]] std::string task_before(const RowsByTask& all, const std::string& task);
 /// "_ring" behind the name of a figure of one of several tasks.

@@ -285,6 +285,7 @@ Analysis construct_validity(const StudyReport& report, const std::string& by,
     for (const Comparison& each : list) p.push_back(each.p);
     const auto holm = assessment::holm_adjusted(p);
     analysis.method = comparison_method(*levels, list);
+    analysis.caution = versions_caution(*attempts);
     fill_table(list, holm, *levels, analysis);
     analysis.figures.push_back(effects_figure(list, holm, *levels, style));
     add_score_strips(tasks, *attempts->field("points"), *levels, style, analysis);

@@ -6,12 +6,14 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "assessment/reliability.h"
 #include "assessment/statistics.h"
 #include "reports/analysis_parts.h"
 #include "reports/csv_table.h"
 #include "reports/export.h"
+#include "sim/core/counted.h"
 
 namespace placode::reports {
 namespace {
@@ -78,6 +80,27 @@ std::vector<Retest> retests_of(const StudyReport& report, bool by_visit) {
 
 }  // namespace
 
+std::string versions_caution(const Form& attempts) {
+    std::string text;
+    for (const auto& [task, rows] : counted_by_task(attempts)) {
+        std::set<std::string> versions, rubrics;
+        for (const Row* row : rows) {
+            const auto told = [row](const char* id) {
+                const auto found = row->values.find(id);
+                return found == row->values.end() ? std::string() : found->second;
+            };
+            versions.insert(told("task_version"));
+            rubrics.insert(told("rubric_id") + " " + told("rubric_version"));
+        }
+        if (versions.size() < 2 && rubrics.size() < 2) continue;
+        text += (text.empty() ? "Caution: the attempts at " : " The attempts at ") + task +
+                " are of " + sim::counted(versions.size(), "version") + " of the task and " +
+                sim::counted(rubrics.size(), "version") +
+                " of its rubric; differences between them may be those of the rules.";
+    }
+    return text;
+}
+
 Analysis test_retest(const StudyReport& report, const ChartStyle& style) {
     Analysis analysis;
     analysis.id = "test_retest";
@@ -91,6 +114,7 @@ Analysis test_retest(const StudyReport& report, const ChartStyle& style) {
             "At least three people with two attempts each at the same task are needed.";
         return analysis;
     }
+    analysis.caution = versions_caution(*report.data.form("attempts"));
     analysis.method =
         std::string(by_visit ? "Means of the first against those of the second visit, task by task."
                              : "The last two attempts of everybody at a task, because there is one "

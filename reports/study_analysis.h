@@ -23,6 +23,7 @@ struct AnalysisCell {
 struct Analysis {
     std::string id, title;
     std::string method;   ///< How the numbers were made, in a few sentences.
+    std::string caution;  ///< What the attempts do not have in common; empty = nothing.
     std::string problem;  ///< Why there is no table; empty = there is one.
     std::vector<std::string> head;
     std::vector<std::vector<AnalysisCell>> rows;

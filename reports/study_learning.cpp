@@ -158,6 +158,7 @@ Analysis learning_curves(const StudyReport& report, const ChartStyle& style) {
     analysis.title = "Learning curves";
     const Form* attempts = report.data.form("attempts");
     const RowsByTask tasks = attempts == nullptr ? RowsByTask{} : counted_by_task(*attempts);
+    if (attempts != nullptr) analysis.caution = versions_caution(*attempts);
     const auto limits = assessment::cusum_limits(0.05, 0.10, 0.05, 0.20);
     analysis.method =
         "Scores over attempts at a task; y = a - b exp(-(x - 1) / tau) by least squares from " +

@@ -27,8 +27,10 @@ void write_analysis_table(Paper& paper, const Analysis& analysis) {
         for (const AnalysisCell& cell : row) cells << safe(cell.text);
         rows.push_back(cells);
     }
-    paper.table("<b>" + safe(analysis.title) + ".</b> " + safe(analysis.method), head,
-                QString("l") + QString(static_cast<int>(analysis.head.size()) - 1, 'r'), rows);
+    paper.table("<b>" + safe(analysis.title) + ".</b> " + safe(analysis.method) +
+                    (analysis.caution.empty() ? "" : " " + safe(analysis.caution)),
+                head, QString("l") + QString(static_cast<int>(analysis.head.size()) - 1, 'r'),
+                rows);
     for (const Figure& figure : analysis.figures) paper.figure(figure);
 }
 

@@ -195,6 +195,46 @@ TEST_P(Counting, ADemonstrationSetsNoMarkForRealPeople) {
     EXPECT_EQ(db::person_means(*store, "diathermy_ring", {dora}, 5), std::vector<double>{3});
 }
 
+/// Points of different rules are no common scale.
+TEST_P(Counting, AMarkIsOfOneVersionOfTheTaskAndOfItsRubric) {
+    const auto done = [&](int64_t whose, const std::string& started_utc, int task_version,
+                          int rubric_version, const std::string& rubric = "ring") {
+        db::AttemptResult result = passed(started_utc, {machine(1, 60)});
+        result.header.task_version = task_version;
+        result.score.rubric_id = rubric;
+        result.score.rubric_version = rubric_version;
+        store->attempts().set_replay(save_recorded(*store, whose, result, folder.path().string()),
+                                     db::ReplayState::kIdentical);
+    };
+    const auto someone = [&](const std::string& login) {
+        return store->accounts().create({login, login, "correct horse battery", 1, false});
+    };
+    const auto refused = [&](const std::vector<int64_t>& people, int last) {
+        return std::string(failure_of([&] {
+                               (void)db::person_means(*store, "diathermy_ring", people, last);
+                           }).what());
+    };
+    const int64_t rubric = someone("bea"), task = someone("cy"), name = someone("di");
+    done(user, "2026-01-02T03:00:00.000Z", 1, 1);
+    done(user, "2026-01-03T03:00:00.000Z", 1, 2);
+    done(rubric, "2026-01-03T03:00:00.000Z", 1, 2);
+    done(task, "2026-01-03T03:00:00.000Z", 2, 2);
+    done(name, "2026-01-03T03:00:00.000Z", 1, 2, "another");
+    EXPECT_EQ(refused({user}, 5),
+              "standard of diathermy_ring: the attempts are of different versions of the task "
+              "or of its rubric; choose people whose attempts are of one version");
+    for (const int64_t other : {task, name})
+        EXPECT_THAT(refused({rubric, other}, 1), HasSubstr("different versions"));
+    EXPECT_EQ(db::person_means(*store, "diathermy_ring", {user, rubric}, 1),
+              (std::vector<double>{90, 90}))
+        << "the last ones are of one version";
+    EXPECT_NO_THROW(db::need_fit_to_judge(*store, "diathermy_ring", {user, rubric}, 1));
+    EXPECT_THAT(failure_of([&] {
+                    db::need_fit_to_judge(*store, "diathermy_ring", {user, task}, 1);
+                }).what(),
+                HasSubstr("different versions"));
+}
+
 TEST_P(Counting, ATunedAttemptCountsNowhereAndNoMachineIsAtFault) {
     sim::Event tuned;
     tuned.kind = sim::EventKind::kTuned;

@@ -31,16 +31,18 @@ class Norms : public EngineTest {
             {login, login, "long enough 1", static_cast<db::Roles>(db::Role::kTrainee), false});
     }
     int64_t attempt(int64_t user, double points, double time_s, int metric_set = 2,
-                    sim::EndReason end = sim::EndReason::kFinished) const {
+                    sim::EndReason end = sim::EndReason::kFinished, int task_version = 1,
+                    int rubric_version = 0) const {
         db::AttemptResult result;
         result.header.task_id = "diathermy_ring";
-        result.header.task_version = 1;
+        result.header.task_version = task_version;
         result.header.started_utc = "2026-01-01T00:00:00Z";
         result.end.reason = end;
         result.metrics.version = metric_set;
         result.metrics.values = {{"task_time_s", time_s}, {"placode_contacts", 1}};
         result.score.points = points;
         result.score.rubric_id = "ring";
+        result.score.rubric_version = rubric_version;
         const int64_t id = store->attempts().save(user, result);
         if (replayed) store->attempts().set_replay(id, db::ReplayState::kIdentical);
         return id;
@@ -109,6 +111,25 @@ TEST_P(Norms, WhatWasNotSimulatedAgainIsNobodysNorm) {
                 }).what(),
                 HasSubstr("norms: 1 of 11 attempts were never simulated again; let `placodectl "
                           "verify --all` do that first"));
+}
+
+TEST_P(Norms, APackIsOfOneVersionOfTheTaskAndOfItsRubric) {
+    const auto people = level("e", 5, 80, 100);
+    const auto refused = [&](const std::vector<int64_t>& who) {
+        return std::string(failure_of([&] {
+                               (void)db::make_norms(
+                                   db::level_attempts(*store, "diathermy_ring", {{"expert", who}}),
+                                   "A", kDay, 5);
+                           }).what());
+    };
+    auto other_task = people, other_rubric = people;
+    other_task.push_back(person("other1"));
+    attempt(other_task.back(), 80, 100, 2, sim::EndReason::kFinished, 2);
+    other_rubric.push_back(person("other2"));
+    attempt(other_rubric.back(), 80, 100, 2, sim::EndReason::kFinished, 1, 1);
+    for (const auto& who : {other_task, other_rubric})
+        EXPECT_THAT(refused(who), HasSubstr("norms: the attempts are of different versions of the "
+                                            "task or of its rubric"));
 }
 
 TEST_P(Norms, OnlyAttemptsThatCanBeComparedAreUsed) {

@@ -198,6 +198,24 @@ TEST(StudyAnalysis, CurvesAndLevelsAreOfOneTask) {
     EXPECT_NEAR(*row(tasks, "Score")[column(tasks, "b")].value, 53.5, 1e-12);
 }
 
+TEST(StudyAnalysis, AttemptsOfSeveralVersionsAreSaidToBe) {
+    auto report = study_with(8, 3, retest_points);
+    const auto cautions = [&] {
+        return std::vector<std::string>{reports::construct_validity(report, {}).caution,
+                                        reports::test_retest(report).caution,
+                                        reports::learning_curves(report).caution};
+    };
+    EXPECT_THAT(cautions(), testing::Each(std::string()));
+    reports::Row& one = report.data.forms[0].rows[3];
+    one.values["rubric_version"] = "7";
+    EXPECT_THAT(cautions(), testing::Each(HasSubstr("the attempts at ring are of 1 version of the "
+                                                    "task and 2 versions of its rubric")));
+    one.values["task_version"] = "2";
+    EXPECT_THAT(cautions(), testing::Each(HasSubstr("2 versions of the task and 2 versions")));
+    one.counts = false;
+    EXPECT_THAT(cautions(), testing::Each(std::string())) << "it is in no analysis";
+}
+
 TEST(StudyAnalysis, LearningCurveFindsTheCurveItWasMadeFrom) {
     const auto report = study_with(
         3, 9, [](int person, int trial) { return 90.0 - 60.0 * std::exp(-trial / 2.0) - person; });

@@ -518,7 +518,7 @@ TEST_F(TrainingPrograms, ReportsAndTheCertificateAreWritten) {
     const std::string mark = "standard set --task diathermy_ring_small --novice p1,p2 --expert ";
     EXPECT_EQ(as("anna", mark + "p3,p4").status, 1);
     EXPECT_THAT(as("ewa", mark + "p3,p4").err,
-                HasSubstr("2 of 2 attempts were never simulated again"));
+                HasSubstr("4 of 4 attempts were never simulated again"));
     {
         const auto direct = db::open_store("sqlite:" + store, cheap());
         for (const auto& each : direct->attempts().list(0, "diathermy_ring_small"))
@@ -533,6 +533,22 @@ TEST_F(TrainingPrograms, ReportsAndTheCertificateAreWritten) {
     const Outcome holds = as("anna", "--json standard show --task diathermy_ring_small");
     EXPECT_THAT(holds.out, HasSubstr("\"version\": 2"));
     EXPECT_THAT(holds.out, HasSubstr("\"set_by\": \"ewa\""));
+    // Each group is of one rubric, but not of the same one.
+    {
+        const auto direct = db::open_store("sqlite:" + store, cheap());
+        for (const char* login : {"p5", "p6"}) {
+            db::AttemptResult result;
+            result.header.task_id = "diathermy_ring_small";
+            result.end.reason = sim::EndReason::kFinished;
+            result.score.points = login[1] == '5' ? 85 : 95;
+            result.score.rubric_version = 2;
+            const int64_t id = direct->attempts().save(
+                direct->accounts().create({login, login, "quiet river 7", 1, false}), result);
+            direct->attempts().set_replay(id, db::ReplayState::kIdentical);
+        }
+    }
+    EXPECT_THAT(as("ewa", mark + "p5,p6 --reason again").err,
+                HasSubstr("different versions of the task or of its rubric"));
     EXPECT_EQ(as("ewa", "report cohort none --out d.pdf").status, 2);
     for (const char* name : {"c.pdf", "t.pdf", "g.pdf"})
         EXPECT_THAT(read_text(file(name)), testing::StartsWith("%PDF-")) << name;

@@ -25,7 +25,10 @@ TwoLevels two_levels(Session& session, const PassMarkOptions& options) {
                                       {"novice", find_group(session, options.novices).members}});
     // A mark is a mark, whichever command computes it: as of db/standards.h.
     db::leave_demonstrations_out(session.store(), levels);
-    as_input([&] { db::need_proof(levels); });
+    as_input([&] {
+        db::need_proof(levels);
+        db::need_same_rules(levels);
+    });
     return {std::move(levels[1]), std::move(levels[0])};
 }
 

@@ -87,11 +87,10 @@ int show(const Context& context, const StandardOptions& options) {
     return 0;
 }
 
-std::vector<double> values(Session& session, const StandardOptions& options,
-                           const std::vector<std::string>& logins) {
+std::vector<int64_t> accounts_named(Session& session, const std::vector<std::string>& logins) {
     std::vector<int64_t> people;
     for (const std::string& login : logins) people.push_back(session.find_user(login).id);
-    return db::person_means(session.store(), options.task, people, options.last);
+    return people;
 }
 
 /// One row a judge, one column a line of the rubric (its id), estimates from 0 to 1.
@@ -113,8 +112,15 @@ curriculum::PassStandard from_groups(Session& session, const curriculum::Task& t
     if (options.novices.empty() || options.experts.empty())
         throw InputError(
             "standard set: expected --novice and --expert with logins, or --angoff FILE.csv");
-    return db::standard_of_groups(task.id, values(session, options, options.novices),
-                                  values(session, options, options.experts), options.last);
+    const auto novices = accounts_named(session, options.novices),
+               experts = accounts_named(session, options.experts);
+    std::vector<int64_t> both = novices;
+    both.insert(both.end(), experts.begin(), experts.end());
+    db::need_fit_to_judge(session.store(), task.id, both, options.last);
+    const auto means = [&](const std::vector<int64_t>& people) {
+        return db::person_means(session.store(), task.id, people, options.last);
+    };
+    return db::standard_of_groups(task.id, means(novices), means(experts), options.last);
 }
 
 int set(const Context& context, const StandardOptions& options) {

@@ -57,6 +57,7 @@ int analyse(const Context& context, const StudyAnalysisOptions& options, Work wo
     Json json{{"study", options.study},
               {"analysis", analysis.id},
               {"method", analysis.method},
+              {"caution", analysis.caution},
               {"demonstration", report.data.demonstration},
               {"rows", Json::array()}};
     std::vector<std::vector<std::string>> rows{analysis.head};
@@ -72,6 +73,7 @@ int analyse(const Context& context, const StudyAnalysisOptions& options, Work wo
     }
     std::string text = analysis.title + (report.data.demonstration ? " (DEMONSTRATION)" : "") +
                        "\n" + table(rows) + "\n" + analysis.method;
+    if (!analysis.caution.empty()) text += "\n" + analysis.caution;
     if (!options.out.empty()) {
         // Before the first file: nothing leaves without its entry.
         session.store().audit().write(session.actor(), "report." + analysis.id,

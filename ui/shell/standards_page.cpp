@@ -172,7 +172,7 @@ class StandardsPage : public Page {
         for (const Operator& one : operators_)
             if (groups_.value(one.key).toInt() != 0) people.push_back(one.recent.user_id);
         const bool proved = context_.guard(tr("Setting the standard"), [&] {
-            db::need_replayed(context_.store(), task(), people, kLastAttempts);
+            db::need_fit_to_judge(context_.store(), task(), people, kLastAttempts);
         });
         if (!proved) return;
         keep(db::standard_of_groups(task(), values(1), values(2), kLastAttempts), reason_->text());

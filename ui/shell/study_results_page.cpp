@@ -183,6 +183,7 @@ class StudyResultsPage : public Page {
             make_label(QCoreApplication::translate("Analysis", found.title.c_str()), "heading"));
         layout->addWidget(tableOf(found));
         layout->addWidget(make_label(qstr(found.method), "small"));
+        if (!found.caution.empty()) layout->addWidget(make_label(qstr(found.caution), "warn"));
         column->addWidget(make_card(layout));
         for (const auto& figure : found.figures) addFigure(column, figure);
     }

@@ -11009,8 +11009,8 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>na serwerze klucz ośrodka zabezpiecza i zmienia się loginem właściciela tabel; niech administrator uruchomi nim `placodectl norms key seal`</translation>
     </message>
     <message>
-        <source>the attempts were scored under different rubrics; rescore them under one first</source>
-        <translation>próby oceniono według różnych kryteriów; najpierw oceń je ponownie według jednych</translation>
+        <source>the attempts are of different versions of the task or of its rubric; choose people whose attempts are of one version</source>
+        <translation>próby pochodzą z różnych wersji zadania lub jego kryteriów oceny; wybierz osoby, których próby są z jednej wersji</translation>
     </message>
     <message>
         <source>only an embedded store is restored from a file; use pg_restore on the server</source>
