@@ -120,8 +120,8 @@ void Accounts::set_password(int64_t user_id, const std::string& password, bool g
         Statement(connection_,
                   "UPDATE accounts SET password_hash = ?, password_given = ? WHERE id = ?")
             .run(hash, given, user_id);
-    Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
-        .run(failures_key(user.login));
+    Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key IN (?, ?)")
+        .run(failures_key(user.login), failures_key(user.login, true));
     Statement(connection_, "DELETE FROM account_pins WHERE account_id = ?").run(user_id);
     context_.append_audit("user.password", user_object(user_id), "");
     work.commit();

@@ -109,8 +109,8 @@ void Accounts::erase(int64_t user_id, bool with_attempts) {
         context_.touch("assignment", id);
     forget_signatures_name(context_, user_id);
     forget_whom_it_was_for(context_, user_id);
-    Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
-        .run(failures_key(user.login));
+    Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key IN (?, ?)")
+        .run(failures_key(user.login), failures_key(user.login, true));
     for (const char* table : {"persons", "account_pins", "group_members", "course_assignments",
                               "course_grants", "certificates", "exam_begins"})
         Statement(connection_, std::string("DELETE FROM ") + table + " WHERE account_id = ?")

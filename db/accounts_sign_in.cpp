@@ -59,7 +59,8 @@ SignIn Accounts::confirm(const std::string& login, const std::string& password) 
 }
 
 SignIn Accounts::check_password(const std::string& login, const std::string& password) {
-    const std::string key = login_key(login), failures = failures_key(login);
+    const std::string key = login_key(login);
+    const std::string failures = failures_key(login, context_.options.portal);
     const bool guarded = context_.server.guards();
     int64_t id = 0;
     std::string hash;

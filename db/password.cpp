@@ -86,7 +86,9 @@ std::optional<Said> login_problem(const std::string& login) {
     return std::nullopt;
 }
 
-std::string failures_key(const std::string& login) { return checksum_hex(login_key(login)); }
+std::string failures_key(const std::string& login, bool portal) {
+    return checksum_hex(login_key(login)) + (portal ? " portal" : "");
+}
 
 std::optional<Said> password_problem(const std::string& login, const std::string& password) {
     const auto length = QString::fromStdString(password).toUcs4().size();

@@ -45,7 +45,7 @@ void need_sodium();
 /// The same for a login, which must not read as the number of an account either.
 [[nodiscard]] std::optional<Said> login_problem(const std::string& login);
 /// Under which wrong passwords are counted: a checksum, because people type names that are gone, or
-/// a password, into the field of the log-in.
-[[nodiscard]] std::string failures_key(const std::string& login);
+/// a password, into the field of the log-in. @param portal those that came through the portal.
+[[nodiscard]] std::string failures_key(const std::string& login, bool portal = false);
 
 }  // namespace placode::db

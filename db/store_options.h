@@ -25,6 +25,9 @@ struct StoreOptions {
     /// With `station`: a program that acts for people who sign in elsewhere, as a learning platform
     /// lets them in. On a server it needs the log-in of a service (placode_service).
     bool service = false;
+    /// For people anywhere: wrong passwords are counted, and waited for, apart from those that are
+    /// typed at stations. Whoever reaches the portal keeps nobody out of a station.
+    bool portal = false;
 };
 
 }  // namespace placode::db

@@ -45,6 +45,21 @@ TEST_P(WebSignInTest, WaitsAsTheStoreDoesAfterFiveWrongPasswords) {
     EXPECT_EQ(one.get("/").status, 303) << "the right password does not help while it waits";
 }
 
+TEST_P(WebSignInTest, WrongPasswordsInABrowserKeepNobodyOutOfAStation) {
+    for (int i = 0; i < 10; ++i) (void)browser().sign_in("trainee", "wrong password 1");
+    EXPECT_EQ(browser().sign_in("trainee").status, 429) << "or this proves nothing";
+    const auto store = open();
+    EXPECT_EQ(store->accounts().confirm("trainee", kPassword).outcome, db::SignInOutcome::kOk);
+    EXPECT_EQ(store->accounts().sign_in("trainee", kPassword).outcome, db::SignInOutcome::kOk);
+    EXPECT_EQ(browser().sign_in("trainee").status, 429) << "nor does that let a guesser go on";
+    // A new password ends both waits, and erasing a person leaves no try behind.
+    open()->accounts().set_password(people.of["trainee"].person, "another password 1");
+    EXPECT_EQ(browser().sign_in("trainee", "another password 1").status, 303);
+    for (int i = 0; i < 5; ++i) (void)browser().sign_in("trainee", "wrong password 1");
+    open()->accounts().erase(people.of["trainee"].person, false);
+    EXPECT_EQ(raw().value("SELECT COUNT(*) FROM sign_in_failures"), "0");
+}
+
 TEST_P(WebSignInTest, RefusesClosedAccountsAndPasswordsOfSomebodyElse) {
     open()->accounts().set_active(people.of["loner"].person, false);
     EXPECT_TRUE(browser().sign_in("loner").shows("deactivated"));

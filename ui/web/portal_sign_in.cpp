@@ -54,6 +54,7 @@ Answer Portal::sign_in_form(const Html& said, int status) {
 db::SignIn Portal::ask_the_store(const std::string& login, const std::string& password) {
     db::StoreOptions there = options_.store;
     there.known = true;  // It was there when this program began; no new one is made.
+    there.portal = true;
     const auto store = db::open_store(options_.store_url, there);
     store->sign_out();
     return store->accounts().sign_in(login, password);
