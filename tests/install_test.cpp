@@ -174,7 +174,8 @@ TEST_F(Install, ThePackageMakesTheUserOfThePortal) {
     const std::string unit = read_text(there("lib/systemd/system/placode-web.service"));
     for (const char* line :
          {"User=placode-web", "StateDirectory=placode-web", "RuntimeDirectory=placode",
-          "Environment=HOME=/var/lib/placode-web", "EnvironmentFile=-/etc/placode/web.conf"})
+          "Environment=HOME=/var/lib/placode-web", "EnvironmentFile=-/etc/placode/web.conf",
+          "PrivateTmp=yes", "MemoryMax=4G"})
         EXPECT_THAT(unit, HasSubstr(std::string("\n") + line + "\n"));
     EXPECT_THAT(unit, HasSubstr("\nExecStart=/usr/bin/placode-web --store ${PLACODE_STORE} "
                                 "--listen unix:/run/placode/web.sock --behind-tls"));

@@ -5,8 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <barrier>
 #include <chrono>
+#include <functional>
 #include <thread>
+#include <vector>
 
 #include "tests/attempt_fixture.h"
 
@@ -88,6 +93,49 @@ TEST(ReviewMaker, TakesNoMoreThanItCanHoldAndStopsAtOnce) {
     EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(60));
 }
 
+// Eight pages at once, of the same attempt and of others: each recording may be 1 GiB in memory.
+TEST(ReviewMaker, ReadsOneRecordingAtATimeAndNoneTwice) {
+    const auto recording = test::scripted_seconds("touch_targets", 1);
+    ReviewMaker maker(kReviewBytes, kQuiet);
+    std::atomic<int> reading{0}, together{0}, reads{0};
+    const auto ask_from_eight = [&](const std::function<std::string(int)>& key) {
+        std::vector<std::jthread> pages;
+        std::barrier at_once(8);
+        for (int i = 0; i < 8; ++i)
+            pages.emplace_back([&, i] {
+                at_once.arrive_and_wait();
+                (void)maker.ask(key(i), [&] {
+                    together = std::max(together.load(), ++reading);
+                    ++reads;
+                    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+                    --reading;
+                    return recording;
+                });
+            });
+    };
+    ask_from_eight([](int) { return std::string("same"); });
+    EXPECT_EQ(reads, 1);
+    EXPECT_EQ(until_made(maker, "same").stage, Stage::kReady);
+    ask_from_eight([](int i) { return "other " + std::to_string(i); });
+    EXPECT_GE(reads, 2) << "one of them";
+    EXPECT_LE(reads, 1 + static_cast<int>(kMostReviewsWaiting));
+    EXPECT_EQ(together, 1);
+}
+
+// What is read has its place among those that wait, before it is there.
+TEST(ReviewMaker, WhatIsReadWaitsAlready) {
+    const auto recording = test::scripted_seconds("touch_targets", 1);
+    ReviewMaker maker(kReviewBytes, kQuiet);
+    (void)maker.ask("one", [&] {
+        EXPECT_EQ(maker.of("one").stage, Stage::kReading);
+        EXPECT_EQ(maker.ask("one", [&] { return recording; }).stage, Stage::kReading);
+        EXPECT_EQ(maker.ask("two", [&] { return recording; }).stage, Stage::kBusy);
+        return recording;
+    });
+    EXPECT_EQ(until_made(maker, "one").stage, Stage::kReady);
+    EXPECT_EQ(maker.of("two").stage, Stage::kBusy) << "it was not taken";
+}
+
 TEST(ReviewMaker, SaysWhatCannotBeMadeAndGoesOn) {
     std::string logged;
     std::mutex mutex;
@@ -102,6 +150,7 @@ TEST(ReviewMaker, SaysWhatCannotBeMadeAndGoesOn) {
     EXPECT_NE(logged.find("review of broken"), std::string::npos) << logged;
     EXPECT_THROW((void)maker.ask("none", []() -> sim::Recording { throw std::bad_alloc(); }),
                  std::bad_alloc);
+    EXPECT_EQ(maker.of("none").stage, Stage::kBusy) << "as if nobody had asked for it";
     (void)maker.ask("good", [&] { return test::scripted_seconds("touch_targets", 1); });
     EXPECT_EQ(until_made(maker, "good").stage, Stage::kReady);
 }

@@ -34,7 +34,8 @@ ReviewMaker::Entries::iterator ReviewMaker::find(const std::string& key) {
 size_t ReviewMaker::waiting() const {
     return static_cast<size_t>(
         std::count_if(entries_.begin(), entries_.end(), [](const Entry& each) {
-            return each.stage == Stage::kWaiting || each.stage == Stage::kMaking;
+            return each.stage == Stage::kReading || each.stage == Stage::kWaiting ||
+                   each.stage == Stage::kMaking;
         }));
 }
 
@@ -55,19 +56,26 @@ ReviewMaker::Standing ReviewMaker::ask(const std::string& key,
     {
         const std::lock_guard lock(mutex_);
         if (find(key) != entries_.end()) return standing(key);
-        if (waiting() >= kMostReviewsWaiting) return {};
+        const bool reading = std::ranges::any_of(
+            entries_, [](const Entry& each) { return each.stage == Stage::kReading; });
+        if (reading || waiting() >= kMostReviewsWaiting) return {};
+        // Before a byte is read: it has its place, and whoever asks meanwhile reads nothing.
+        entries_.push_front({key, Stage::kReading, {}, {}});
     }
-    // Reading takes a while, and other pages must not wait for it.
-    sim::Recording recording = read();
-    const std::lock_guard lock(mutex_);
-    if (find(key) == entries_.end()) {
-        if (waiting() >= kMostReviewsWaiting) return {};
-        Entry& entry = entries_.emplace_front();
-        entry.key = key;
-        entry.recording = std::move(recording);
+    try {
+        // Reading takes a while, and other pages must not wait for it.
+        sim::Recording recording = read();
+        const std::lock_guard lock(mutex_);
+        const auto entry = find(key);
+        entry->recording = std::move(recording);
+        entry->stage = Stage::kWaiting;
         more_.notify_all();
+        return standing(key);
+    } catch (...) {
+        const std::lock_guard lock(mutex_);
+        entries_.erase(find(key));
+        throw;
     }
-    return standing(key);
 }
 
 void ReviewMaker::keep(const std::string& key, std::shared_ptr<const reports::ReviewTrack> track) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Tracks of attempts for the review page: one is made at a time, in a thread of its own with low
-// priority, and the last ones are kept in memory. Nothing is written to a disk, so nothing of an
-// attempt stays when it is erased and the program ends.
+// priority, and the last ones are kept in memory and nowhere else, so nothing of an attempt stays
+// when it is erased and the program ends.
 
 #include <atomic>
 #include <condition_variable>
@@ -19,7 +19,9 @@
 namespace placode::web {
 
 inline constexpr size_t kReviewBytes = size_t{256} << 20;  ///< Tracks that are kept.
-inline constexpr size_t kMostReviewsWaiting = 4;           ///< Recordings are whole in memory.
+/// With the one that is made: their recordings are whole in memory, up to 1 GiB each. The limit of
+/// packaging/placode-web.service goes with it.
+inline constexpr size_t kMostReviewsWaiting = 2;
 
 /// Any thread.
 class ReviewMaker {
@@ -28,7 +30,8 @@ class ReviewMaker {
         kReady,
         kMaking,
         kWaiting,  ///< For others that were asked for before.
-        kBusy,     ///< Too many wait: it was not taken.
+        kReading,  ///< Somebody else asked for it just now.
+        kBusy,     ///< Too many wait, or another is read: it was not taken.
         kFailed,   ///< Its task cannot be built, or the memory did not suffice.
     };
     struct Standing {
@@ -45,7 +48,8 @@ class ReviewMaker {
     ReviewMaker& operator=(const ReviewMaker&) = delete;
 
     /// How the track of `key` stands; where nobody asked for it, `read` is called at once for its
-    /// recording, and it waits for its turn. What `read` throws goes on to the caller.
+    /// recording, and it waits for its turn. Never two at a time are read, nor one twice. What
+    /// `read` throws goes on to the caller, and the next one who asks reads again.
     [[nodiscard]] Standing ask(const std::string& key, const std::function<sim::Recording()>& read);
     /// The same without asking for it: kBusy where nobody did.
     [[nodiscard]] Standing of(const std::string& key);

@@ -30,7 +30,8 @@ std::string key_of(const db::AttemptRecord& record) {
 }
 
 sim::Recording recording_of(const Visit& visit, int64_t attempt) {
-    const QTemporaryDir folder;  // For this account only, and gone at the end.
+    // For this account only, and gone at the end; of the service in a /tmp of its own.
+    const QTemporaryDir folder;
     if (!folder.isValid())
         throw std::runtime_error("no temporary folder: " + folder.errorString().toStdString());
     const std::string file = folder.filePath(QStringLiteral("a.placode")).toStdString();
@@ -59,7 +60,8 @@ PageText waiting_page(int64_t id, const ReviewMaker::Standing& standing) {
     Html body;
     body << "<h1>" << Web::phrase("Review of attempt #%1", text(id))
          << "</h1>\n<p role=\"status\">";
-    if (standing.stage == ReviewMaker::Stage::kMaking)
+    if (standing.stage == ReviewMaker::Stage::kMaking ||
+        standing.stage == ReviewMaker::Stage::kReading)
         body << Web::phrase("The recording is being simulated again: %1 %.", text(percent));
     else if (standing.stage == ReviewMaker::Stage::kWaiting)
         body << Web::phrase("Another recording is being simulated first.");
