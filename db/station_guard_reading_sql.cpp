@@ -228,11 +228,16 @@ $$
 --
 CREATE OR REPLACE FUNCTION placode_guard.add_entry(at TEXT, by TEXT, what TEXT, of_object TEXT, with_detail TEXT,
     with_chain TEXT, with_seals TEXT, from_station TEXT, with_signature TEXT) RETURNS BIGINT
-LANGUAGE sql VOLATILE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
+LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
+DECLARE made BIGINT;
+BEGIN
+    -- The first signature of a trail is the one that all trust goes back to: that of whoever makes the first account.
+    IF NOT EXISTS (SELECT FROM public.accounts) THEN PERFORM placode_guard.need(0); END IF;
     INSERT INTO public.audit (at_utc, actor, action, object, detail, chain, seals, station, signature)
         VALUES (at, by, what, of_object, with_detail, with_chain, with_seals, from_station, with_signature)
-        RETURNING id
-$$
+        RETURNING id INTO made;
+    RETURN made;
+END $$
 )sql";
 
 }  // namespace placode::db

@@ -83,6 +83,14 @@ class SharedStation : public testing::Test {
         return run(as(user) + "psql -XAtq -h " + folder_ + " " + more + " -d placode -c \"" + text +
                    "\"");
     }
+    /// As if the administrator had made it in Placode.
+    void make_the_first_account() const {
+        ASSERT_EQ(sql("games",
+                      "INSERT INTO accounts (password_hash, roles, active, demonstration, "
+                      "created_utc) VALUES ('', 8, 1, 0, '')")
+                      .code,
+                  0);
+    }
     [[nodiscard]] std::string hba() const {
         std::ifstream in(folder_ + "/data/pg_hba.conf");
         return {std::istreambuf_iterator<char>(in), {}};
@@ -92,8 +100,11 @@ class SharedStation : public testing::Test {
 };
 
 TEST_F(SharedStation, PeopleComeInByWhoTheyAreAndOpenNoFile) {
+    ASSERT_EQ(set_up("").code, 0);
+    make_the_first_account();
     const Ended first = set_up("nobody");
     ASSERT_EQ(first.code, 0) << first.said;
+    EXPECT_THAT(first.said, Not(HasSubstr("no account yet")));
     EXPECT_THAT(first.said, HasSubstr("postgresql:///placode?host=" + folder_));
     const std::string lines = hba();
     EXPECT_EQ(lines.find("local \"placode\" all peer"), lines.find('\n') + 1)
@@ -110,11 +121,6 @@ TEST_F(SharedStation, PeopleComeInByWhoTheyAreAndOpenNoFile) {
         EXPECT_THAT(sql("nobody", "SELECT 1", std::string("-U ") + other).said,
                     HasSubstr("Peer authentication failed"))
             << other;
-    ASSERT_EQ(sql("games",
-                  "INSERT INTO accounts (password_hash, roles, active, demonstration, created_utc) "
-                  "VALUES ('', 8, 1, 0, '')")
-                  .code,
-              0);
     for (const char* attack :
          {"UPDATE accounts SET roles = 15", "DELETE FROM audit",
           "SELECT password_hash FROM accounts",
@@ -137,13 +143,37 @@ TEST_F(SharedStation, PeopleComeInByWhoTheyAreAndOpenNoFile) {
         << "or this proves nothing";
 }
 
+// Whoever comes first to an empty store makes its administrator, and signs what all trust goes back
+// to: not a trainee who is quicker.
+TEST_F(SharedStation, UntilThereIsAnAccountOnePersonComesIn) {
+    const Ended nobody_named = set_up("nobody daemon");
+    ASSERT_EQ(nobody_named.code, 0) << nobody_named.said;
+    EXPECT_THAT(nobody_named.said, HasSubstr("--administrator LOGIN"));
+    for (const char* user : {"nobody", "daemon"}) EXPECT_NE(sql(user, "SELECT 1").code, 0) << user;
+    const Ended first = set_up("--administrator nobody daemon");
+    ASSERT_EQ(first.code, 0) << first.said;
+    EXPECT_THAT(first.said, HasSubstr("only nobody comes in"));
+    EXPECT_EQ(sql("nobody", "SELECT current_user").said, "nobody\n");
+    EXPECT_NE(sql("daemon", "SELECT 1").code, 0);
+    // In the group already: for another store of this server, or by an earlier version.
+    ASSERT_EQ(sql("postgres", "CREATE ROLE daemon LOGIN IN ROLE placode_station").code, 0);
+    EXPECT_THAT(sql("daemon", "SELECT 1").said, HasSubstr("pg_hba.conf rejects"));
+    const Ended entry = sql("nobody",
+                            "SELECT placode_guard.add_entry('', 'nobody', 'store.seal', '', '', "
+                            "'', '', 'key', 'signature')");
+    EXPECT_NE(entry.code, 0);
+    EXPECT_THAT(entry.said, HasSubstr("you may not"));
+    EXPECT_EQ(sql("games", "SELECT COUNT(*) FROM audit").said, "0\n");
+    make_the_first_account();
+    const Ended then = set_up("daemon");
+    ASSERT_EQ(then.code, 0) << then.said;
+    for (const char* user : {"nobody", "daemon"})
+        EXPECT_EQ(sql(user, "SELECT current_user").said, std::string(user) + "\n");
+}
+
 TEST_F(SharedStation, ACopyComesBackInTheOrderOfTheManual) {
     ASSERT_EQ(set_up("nobody").code, 0);
-    ASSERT_EQ(sql("games",
-                  "INSERT INTO accounts (password_hash, roles, active, demonstration, created_utc) "
-                  "VALUES ('', 8, 1, 0, '')")
-                  .code,
-              0);
+    make_the_first_account();
     const std::string socket = " -h " + folder_ + " ", dump = folder_ + "/copy.dump";
     for (const std::string& step :
          {"pg_dump" + socket + "-Fc -f " + dump + " placode",
@@ -183,6 +213,8 @@ TEST_F(SharedStation, RefusesWhatItCannotKeep) {
          {std::pair{"games", "owns the tables"},
           {"postgres", "owns the tables"},
           {"nosuchuser", "no user nosuchuser"},
+          {"--administrator nosuchuser", "no user nosuchuser"},
+          {"--administrator games", "owns the tables"},
           {"'a; DROP'", "expected small letters"},
           {"anna.k", "who trains needs such a login"},
           {"--socket /nonexistent nobody", "start it: systemctl start postgresql"},

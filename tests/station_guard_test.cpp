@@ -223,6 +223,32 @@ TEST_P(StationGuard, StatementsHoldNoHashNoCodeAndNoToken) {
         EXPECT_THAT(log.substr(log.find("placode_guard.add_account")), Not(HasSubstr(secret)));
 }
 
+// The first signature of a trail is the one that all trust goes back to.
+TEST_P(StationGuard, ATrailBeginsWithTheFirstAccountAndNothingElse) {
+    const PostgresqlServer& server = World::get().server();
+    const std::string empty = World::get().server().new_store(options);
+    const char* entry =
+        "SELECT placode_guard.add_entry('2026-01-01T00:00:00.000Z', 'me', 'store.seal', '', '', "
+        "'chain', '', 'key', 'signature')";
+    RawConnection station = server.connect_station(empty);
+    EXPECT_FALSE(station.run(entry));
+    EXPECT_THAT(station.problem(), HasSubstr("you may not"));
+    db::StoreOptions its = options;
+    its.station = true;
+    const auto store = db::open_store(server.station_url(empty), its);
+    EXPECT_THAT(failure_of([&] { store->audit().write("me", "session.lock", "", ""); }).what(),
+                HasSubstr("you may not"));
+    store->sign_out();
+    EXPECT_EQ(store->accounts().sign_in("keeper", kPassword).outcome, SignInOutcome::kWrong);
+    EXPECT_EQ(server.connect(empty).value("SELECT COUNT(*) FROM audit"), "0");
+    db::NewUser keeper = trainee("keeper");
+    keeper.roles = kAdministrator;
+    (void)store->accounts().create(keeper);
+    EXPECT_EQ(server.connect(empty).value("SELECT action FROM audit ORDER BY id LIMIT 1"),
+              "user.create");
+    EXPECT_TRUE(station.run(entry)) << station.problem();
+}
+
 TEST_P(StationGuard, WhoMayDoesAllOfItAtAStation) {
     const auto store = open_at_station();
     store->sign_out();
