@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Passwords, passphrases and the centre's key stay where they belong: not on a command line, in no
-// message, no log, no settings, no store, backup or export. What is found when one gets out is
-// tested as well, or this would pass for want of looking.
+// Passwords, passphrases and the centre's key stay where they belong: in no message, log, settings,
+// store, backup or export, and on no command line, where no name of a person stands either. What is
+// found when one gets out is tested as well, or this would pass for want of looking.
 
 #include <gmock/gmock.h>
 
@@ -10,6 +10,7 @@
 #include "db/store_context.h"
 #include "tests/store_fixture.h"
 #include "tests/watched_program.h"
+#include "ui/shell/attempt_launcher.h"
 
 using namespace placode;
 using namespace placode::test;
@@ -25,6 +26,7 @@ constexpr const char* kPassword = "heron-Cobalt-9157";
 constexpr const char* kWrong = "magpie-Ochre-2204";
 constexpr const char* kPhrase = "lantern Thimble quartz 44";
 constexpr const char* kNextPhrase = "walnut Ferry beacon 81";
+constexpr const char* kName = "Wilhelmina Quillfeather";  // Of ada.
 
 class SecretLeaks : public EngineTest {
  protected:
@@ -43,7 +45,7 @@ class SecretLeaks : public EngineTest {
             password_ = server.password();
         }
         const auto store = db::open_store(store_, options);
-        const db::NewUser ada{"ada", "Ada", kPassword,
+        const db::NewUser ada{"ada", kName, kPassword,
                               static_cast<db::Roles>(db::Role::kAdministrator), false};
         (void)store->accounts().create(ada);
     }
@@ -103,6 +105,8 @@ class SecretLeaks : public EngineTest {
     /// Every place where a secret came out, of all runs so far.
     [[nodiscard]] std::vector<std::string> leaks() const {
         std::vector<std::string> found;
+        for (const std::string& line : lines_)
+            if (holds(line, kName)) found.push_back("command line: " + std::string(kName));
         for (const std::string& secret : secrets()) {
             for (const std::string& line : lines_)
                 if (holds(line, secret)) found.push_back("command line: " + secret);
@@ -209,15 +213,25 @@ TEST_P(SecretLeaks, NorDoTheServerForBrowsersAndTheSimulatorSayOne) {
     EXPECT_EQ(web.status, 0) << web.said;
     EXPECT_THAT(web.said, HasSubstr("answered 403")) << "the wrong password";
     EXPECT_THAT(web.said, HasSubstr("answered 303")) << "the right one";
-    // The simulator signs what it records, and is started with whatever the shell was.
+    // The simulator signs what it records. As the shell starts it, with whatever the shell has.
+    ui::AttemptOrder order;
+    order.task = "touch_targets";
+    order.device = "script:expert";
+    order.duration_s = 1;
+    order.user_name = kName;
     const std::string recording = folder.file("home/a.placode");
-    const WatchedRun sim =
-        watch({PLACODE_BIN_DIR "/placode-sim", "--task", "touch_targets", "--device",
-               "script:expert", "--headless", "--fast", "--duration", "1", "--record", recording},
-              {std::string("PLACODE_PASSWORD=") + kPassword,
-               std::string("PLACODE_PASSPHRASE=") + kPhrase});
+    order.recording_file = QString::fromStdString(recording);
+    std::vector<std::string> command{PLACODE_BIN_DIR "/placode-sim", "--headless", "--fast"};
+    for (const QString& each : ui::simulator_arguments(order, {}))
+        command.push_back(each.toStdString());
+    const QString author = ui::simulator_environment(order).value("PLACODE_AUTHOR");
+    EXPECT_EQ(author, kName) << "or a preset that is saved bears no name";
+    const WatchedRun sim = watch(std::move(command), {std::string("PLACODE_PASSWORD=") + kPassword,
+                                                      std::string("PLACODE_PASSPHRASE=") + kPhrase,
+                                                      "PLACODE_AUTHOR=" + author.toStdString()});
     EXPECT_EQ(sim.status, 0) << sim.said;
     EXPECT_TRUE(fs::exists(recording));
+    EXPECT_FALSE(holds(bytes_of(recording), kName));
     // Below its public half, which everybody may know.
     key_ = bytes_of(folder.file("given/station.key")).substr(65, 64);
     EXPECT_EQ(key_.find_first_not_of("0123456789abcdef"), std::string::npos) << "or it is another";
@@ -263,6 +277,8 @@ TEST_P(SecretLeaks, OneThatGetsOutIsFound) {
     EXPECT_THAT(refused.said, testing::Not(HasSubstr(kPassword)));
     lines_ = refused.command_lines;
     EXPECT_THAT(leaks(), Contains("command line: " + std::string(kPassword)));
+    lines_ = {"placode-sim --author " + std::string(kName)};
+    EXPECT_THAT(leaks(), Contains("command line: " + std::string(kName)));
     // One that a program starts, and that is gone at once.
     WatchedProgram quick;
     quick.command = {"/bin/sh", "-c", "eval \"/bin/true '$WORD'\"; exit 3"};

@@ -98,9 +98,10 @@ void ShellHandoverTest::everyModeHasItsArguments() {
     order.seed = 7;
     const LaunchOptions options;
     const QStringList practice = simulator_arguments(order, options);
-    QVERIFY(practice.contains("--author"));
-    for (const char* absent : {"--study", "--aids", "--min-duration", "--exam"})
+    for (const char* absent : {"--study", "--aids", "--min-duration", "--exam", "--author", "Ada"})
         QVERIFY2(!practice.contains(absent), absent);
+    const auto author = [&] { return simulator_environment(order).value("PLACODE_AUTHOR"); };
+    QCOMPARE(author(), QString("Ada"));
     order.study = "pilot";
     order.participant = order.user_name = "P001-C";
     order.aids = "read_outs,depth";
@@ -109,7 +110,7 @@ void ShellHandoverTest::everyModeHasItsArguments() {
     QVERIFY(study.contains("--study"));
     QCOMPARE(study.value(study.indexOf("--aids") + 1), QString("read_outs,depth"));
     QCOMPARE(study.value(study.indexOf("--min-duration") + 1), QString("60"));
-    QVERIFY2(!study.contains("--author"), "nothing is tuned in a study");
+    QVERIFY2(!study.contains("P001-C") && author().isEmpty(), "nothing is tuned in a study");
     order.aids.clear();
     order.min_s = 0;
     const QStringList bare = simulator_arguments(order, options);
@@ -121,6 +122,9 @@ void ShellHandoverTest::everyModeHasItsArguments() {
     QVERIFY(exam.contains("--exam") && exam.contains("--seed"));
     for (const char* absent : {"--study", "--aids", "--author"})
         QVERIFY2(!exam.contains(absent), absent);
+    qputenv("PLACODE_AUTHOR", "who was here before");
+    QVERIFY(author().isEmpty());
+    qunsetenv("PLACODE_AUTHOR");
 }
 
 void ShellHandoverTest::theParticipantsViewHasNothingElse() {

@@ -188,7 +188,8 @@ void add_mode_options(CLI::App& app, Arguments& arguments, Typed& typed) {
     app.add_option("--preset", arguments.preset,
                    "Load a preset that was saved with F2; such an attempt is not scored as a pass")
         ->type_name("ID|FILE.json");
-    app.add_option("--author", arguments.author, "Who saves presets (default: the login name)");
+    app.add_option("--author", arguments.author,
+                   "Who saves presets (default: $PLACODE_AUTHOR, else the login name)");
     auto* exam = app.add_flag("--exam", typed.is_exam,
                               "An exam: only the time is shown, no help, no tuning");
     auto* study = app.add_flag("--study", typed.is_study,
@@ -240,10 +241,10 @@ void read_typed(const Typed& typed, Arguments& arguments) {
     arguments.size_given = !typed.size.empty();
     if (!typed.position.empty()) read_position(typed.position, arguments);
     if (!typed.screenshots.empty()) read_screenshots(typed.screenshots, arguments);
-    if (arguments.author.empty()) {
-        const char* login = std::getenv("USER");
-        arguments.author = login != nullptr ? login : "";
-    }
+    // The shell says it so: others on the computer see what stands in a command line.
+    for (const char* name : {"PLACODE_AUTHOR", "USER"})
+        if (const char* said = std::getenv(name); said != nullptr && arguments.author.empty())
+            arguments.author = said;
 }
 
 }  // namespace

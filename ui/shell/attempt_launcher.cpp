@@ -17,6 +17,7 @@ namespace placode::ui {
 namespace {
 
 constexpr int kKeptErrorBytes = 4000;
+constexpr const char* kAuthor = "PLACODE_AUTHOR";
 
 }  // namespace
 
@@ -58,11 +59,17 @@ QStringList simulator_arguments(const AttemptOrder& order, const LaunchOptions& 
                   << "--aids" << order.aids;
         if (order.min_s > 0) arguments << "--min-duration" << QString::number(order.min_s);
     }
-    // Whose name stands on a preset that is saved while tuning.
-    if (curriculum::conduct_of(mode).tuning && !order.user_name.isEmpty())
-        arguments << "--author" << order.user_name;
     arguments << "--language" << options.language << options.more_arguments;
     return arguments;
+}
+
+QProcessEnvironment simulator_environment(const AttemptOrder& order) {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(kAuthor);
+    // Whose name stands on a preset that is saved while tuning.
+    if (curriculum::conduct_of(order.mode()).tuning && !order.user_name.isEmpty())
+        environment.insert(kAuthor, order.user_name);
+    return environment;
 }
 
 AttemptLauncher::AttemptLauncher(LaunchOptions options, QObject* parent)
@@ -109,6 +116,7 @@ void AttemptLauncher::start(AttemptOrder order, const QString& folder) {
     status_ = {};
     errors_.clear();
     asked_ = false;
+    process_.setProcessEnvironment(simulator_environment(order));
     process_.start(path, simulator_arguments(order, options_));
     if (!process_.waitForStarted(kPatienceMs)) {
         const QString reason = process_.errorString();

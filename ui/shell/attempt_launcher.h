@@ -6,6 +6,7 @@
 
 #include <QObject>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QString>
 #include <QStringList>
 #include <stdexcept>
@@ -39,9 +40,12 @@ struct LaunchOptions {
 /// What to say then: where it was looked for, and the way out.
 [[nodiscard]] std::string simulator_missing(const LaunchOptions& options);
 
-/// Everything behind the program's name. @pre order.recording_file is set.
+/// Everything behind the program's name, and nobody's: every log-in of the computer can read it
+/// (ps). @pre order.recording_file is set.
 [[nodiscard]] QStringList simulator_arguments(const AttemptOrder& order,
                                               const LaunchOptions& options);
+/// This program's, with the name of who tunes.
+[[nodiscard]] QProcessEnvironment simulator_environment(const AttemptOrder& order);
 
 /// The newest status line of the running attempt.
 struct LiveStatus {
