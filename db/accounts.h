@@ -112,6 +112,7 @@ class Accounts {
 
  private:
     [[nodiscard]] int wait_before_sign_in(const std::string& key);
+    void note_wrong_try(int64_t id);  ///< 0: nobody has that log-in.
     /// By which login it is throttled, and its outcome in the audit trail; who acts stays.
     SignIn check_password(const std::string& login, const std::string& password);
     void need_another_administrator(const UserRecord& user);

@@ -17,6 +17,9 @@ constexpr int kFreeTries = 5;
 constexpr int kFirstWaitS = 5;
 constexpr int kLongestWaitS = 900;
 constexpr int64_t kForgetMs = int64_t{24} * 3600 * 1000;
+// Names that nobody has are without number, so no wait bounds what they write: this does, in a day.
+constexpr int64_t kMostUnknown = 1000;
+constexpr const char* kUnknown = "unknown";  // Their row; the others are called as checksums are.
 
 int wait_s(int64_t failures) {
     if (failures < kFreeTries) return 0;
@@ -99,14 +102,9 @@ SignIn Accounts::check_password(const std::string& login, const std::string& pas
         // The same work as for a real account, so that time does not tell which logins exist. A
         // server that asks by itself gave a salt for it.
         if (!guarded) (void)hash_password(password, context_.options.cheap_passwords);
-        return {};
     }
     if (!right) {
-        UnitOfWork work(connection_);
-        // Under the name of who is signed in, if anybody: a proctor's password is typed in a
-        // trainee's session, for example.
-        context_.append_audit("sign_in.wrong_password", user_object(id), "");
-        work.commit();
+        note_wrong_try(id);
         return {};
     }
     const UserRecord user = guarded ? *entered : context_.need_user(id);
@@ -122,6 +120,30 @@ SignIn Accounts::check_password(const std::string& login, const std::string& pas
     if (!user.active) return {SignInOutcome::kDeactivated, std::nullopt, 0};
     if (!user.demonstration && connection_.is_sqlite()) mark_store(connection_.url().path);
     return {SignInOutcome::kOk, user, 0};
+}
+
+// Whether the log-in is there, or not (0), the same is written in the same transaction, but for the
+// words of the entry: a commit takes milliseconds, and they would show from afar.
+void Accounts::note_wrong_try(int64_t id) {
+    UnitOfWork work(connection_);
+    connection_.lock_table("audit");
+    // Its time is the first of its day, which the next try after it takes away.
+    const int64_t unknown =
+        Statement(connection_,
+                  "INSERT INTO sign_in_failures (login_key, failures, last_ms) VALUES (?, ?, ?) ON "
+                  "CONFLICT (login_key) DO UPDATE SET failures = sign_in_failures.failures + "
+                  "excluded.failures, last_ms = CASE WHEN sign_in_failures.last_ms > "
+                  "excluded.last_ms THEN excluded.last_ms ELSE sign_in_failures.last_ms END "
+                  "RETURNING failures")
+            .run(kUnknown, id == 0 ? 1 : 0, context_.now_ms())
+            .returned_id();
+    // Under the name of who is signed in, if anybody: a proctor's password is typed in a trainee's
+    // session, for example. What was typed may be a password; nobody's try begins a trail.
+    if (id != 0)
+        context_.append_audit("sign_in.wrong_password", user_object(id), "");
+    else if (unknown <= kMostUnknown && any_account(connection_))
+        context_.append_audit("sign_in.unknown", "", "");
+    work.commit();
 }
 
 bool Accounts::any() {

@@ -141,6 +141,33 @@ TEST_P(StoreTest, AWrongPasswordIsNotToldFromAnUnknownLogin) {
     EXPECT_FALSE(store->accounts().sign_in("anna", "").user.has_value());
 }
 
+// A commit takes milliseconds: one more would tell from afar which log-ins there are.
+TEST_P(StoreTest, AnUnknownLoginWritesAsMuchAsAWrongPassword) {
+    const auto store = open();
+    const auto entries = [&] { return std::stoi(raw().value("SELECT COUNT(*) FROM audit")); };
+    const auto written_by = [&](const std::string& login) {
+        const int before = entries();
+        EXPECT_EQ(store->accounts().sign_in(login, "wrong password").outcome,
+                  db::SignInOutcome::kWrong);
+        return entries() - before;
+    };
+    EXPECT_EQ(written_by("nobody"), 0) << "where there is no account, no trail begins";
+    store->accounts().create(trainee("anna"));
+    EXPECT_EQ(written_by("anna"), 1);
+    EXPECT_EQ(written_by("correct horse, typed into the wrong field"), 1);
+    const db::AuditRecord entry = open()->audit().trail(1).front();
+    EXPECT_EQ(entry.action, "sign_in.unknown");
+    EXPECT_EQ(entry.object + entry.detail, "") << "it may have been a password";
+    // Made-up names have no wait: their entries are bounded by the day.
+    ASSERT_TRUE(
+        raw().run("UPDATE sign_in_failures SET failures = 999 WHERE login_key = 'unknown'"));
+    EXPECT_EQ(written_by("one more"), 1);
+    EXPECT_EQ(written_by("and one too many"), 0);
+    EXPECT_EQ(written_by("anna"), 1) << "a real account's are always there";
+    now_ms += int64_t{24} * 3600 * 1000 + 1;
+    EXPECT_EQ(written_by("of the next day"), 1);
+}
+
 TEST_P(StoreTest, AWrongPasswordIsToldUnderWhoeverIsSignedIn) {
     const auto store = open();
     const int64_t anna = store->accounts().create(trainee("anna"));

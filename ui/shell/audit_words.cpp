@@ -83,6 +83,8 @@ constexpr auto kWords = std::to_array<Words>({
      QT_TRANSLATE_NOOP("AuditWords", "tried to sign in to a deactivated account")},
     {"sign_in.local_profile", QT_TRANSLATE_NOOP("AuditWords", "came in without a password")},
     {"sign_in.pin", QT_TRANSLATE_NOOP("AuditWords", "came back with the PIN")},
+    {"sign_in.unknown",
+     QT_TRANSLATE_NOOP("AuditWords", "tried to sign in with a log-in that nobody has")},
     {"sign_in.wrong_password", QT_TRANSLATE_NOOP("AuditWords", "wrong password")},
     {"sign_in.wrong_pin", QT_TRANSLATE_NOOP("AuditWords", "wrong PIN")},
     {"standard.publish", QT_TRANSLATE_NOOP("AuditWords", "set a pass mark")},

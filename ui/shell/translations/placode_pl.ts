@@ -1000,6 +1000,10 @@
         <translation>powrót po podaniu PIN</translation>
     </message>
     <message>
+        <source>tried to sign in with a log-in that nobody has</source>
+        <translation>próba logowania na nieistniejący login</translation>
+    </message>
+    <message>
         <source>wrong password</source>
         <translation>błędne hasło</translation>
     </message>
