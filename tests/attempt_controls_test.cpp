@@ -136,16 +136,40 @@ TEST(AttemptControls, AStudysProcedureBelowItsLeastTimeIsAskedHoweverLongEnterIs
     EXPECT_EQ(bench.controls.end(), EndReason::kFinished);
 }
 
+struct EndCase {
+    AttemptMode mode;
+    double attempt_s;
+    bool asks;
+};
+const EndCase kEnds[] = {{AttemptMode::kPractice, 200, false},
+                         {AttemptMode::kPractice, 20, true},
+                         {AttemptMode::kPractice, 15, true},
+                         {AttemptMode::kExam, 200, true},
+                         {AttemptMode::kStudy, 200, true}};
+
+TEST(AttemptControls, EnterHeldAsksInExamsStudiesAndEarlyHoweverLong) {
+    for (const EndCase& each : kEnds) {
+        ControlsSetup setup;
+        setup.mode = each.mode;
+        setup.usual_s = 300;
+        Bench bench(setup);
+        bench.attempt_s = each.attempt_s;
+        bench.step({key(Key::kEnter)});
+        for (int i = 0; i < 5; ++i) bench.step({}, 1);
+        EXPECT_EQ(bench.controls.end().has_value(), !each.asks);
+        EXPECT_EQ(bench.controls.screen() == Screen::kQuestion, each.asks);
+        if (!each.asks) continue;
+        EXPECT_TRUE(bench.controls.paused());
+        EXPECT_EQ(bench.controls.pause_cause(), sim::PauseCause::kMenu);
+        bench.step({key(Key::kEnter, false)});
+        EXPECT_FALSE(bench.controls.end()) << "letting go answers nothing";
+        bench.tap(Key::kEnter);
+        EXPECT_EQ(bench.controls.screen(), Screen::kOperate) << "the harmless answer is chosen";
+    }
+}
+
 TEST(AttemptControls, TheMenusFinishAsksAgainInExamsStudiesAndEarly) {
-    struct Case {
-        AttemptMode mode;
-        double attempt_s;
-        bool asks;
-    };
-    for (const Case& each : {Case{AttemptMode::kPractice, 200, false},
-                             {AttemptMode::kPractice, 20, true},
-                             {AttemptMode::kExam, 200, true},
-                             {AttemptMode::kStudy, 200, true}}) {
+    for (const EndCase& each : kEnds) {
         ControlsSetup setup;
         setup.mode = each.mode;
         setup.usual_s = 300;

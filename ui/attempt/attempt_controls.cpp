@@ -225,9 +225,10 @@ void AttemptControls::watch_hold() {
     if (holding_ < 1) return;
     held_since_s_.reset();
     holding_ = 0;
-    // What a protocol does not count is worth a question, however long the key is held.
-    if (too_short()) return ask(Question::kFinish, PauseCause::kMenu);
-    end_ = EndReason::kFinished;
+    // A key may be held by a book or a sleeve: it ends alone only what the menu ends without
+    // asking.
+    cause_ = PauseCause::kMenu;
+    finish_or_ask();
 }
 
 void AttemptControls::show(Screen screen, PauseCause cause) {

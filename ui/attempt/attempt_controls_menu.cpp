@@ -87,7 +87,8 @@ void AttemptControls::choose() {
     end_ = leaves ? EndReason::kInterrupted : EndReason::kFinished;
 }
 
-/// The menu was gone through for it: one more question only where an end by mistake costs much.
+/// The menu was gone through or Enter held for it: one more question only where an end by mistake
+/// costs much.
 void AttemptControls::finish_or_ask() {
     if (conduct_.always_ask || early() || too_short()) return ask(Question::kFinish, cause_);
     end_ = EndReason::kFinished;
