@@ -440,6 +440,67 @@ TEST(AttemptControls, AGamepadsStartOpensTheMenuAndNeverEnds) {
     EXPECT_EQ(bench.controls.for_devices().gamepad_buttons, 0);
 }
 
+constexpr uint16_t kPadA = 1U << 0, kPadB = 1U << 1, kPadLeftBumper = 1U << 4;
+
+TEST(AttemptControls, APadsButtonThatLeavesTheFirstHelpDoesNothingElse) {
+    ControlsSetup setup;
+    setup.help_first = true;
+    Bench bench(setup);
+    bench.attempt_s = 0;
+    bench.totals.gamepad = true;
+    bench.totals.gamepad_buttons = kPadA;
+    for (int i = 0; i < 10; ++i) {
+        bench.step({});
+        EXPECT_EQ(bench.controls.for_devices().gamepad_buttons, 0) << "held since the help";
+    }
+    EXPECT_EQ(bench.controls.screen(), Screen::kOperate);
+    bench.totals.gamepad_buttons = kPadA | kPadB;
+    bench.step({});
+    EXPECT_EQ(bench.controls.for_devices().gamepad_buttons, kPadB) << "the other one is new";
+    bench.totals.gamepad_buttons = 0;
+    bench.step({});
+    bench.totals.gamepad_buttons = kPadA;
+    bench.step({});
+    EXPECT_EQ(bench.controls.for_devices().gamepad_buttons, kPadA) << "pressed anew";
+}
+
+TEST(AttemptControls, APadsPedalThatIsHeldThroughAPauseHasToBePressedAnew) {
+    Bench bench;
+    bench.totals.gamepad = true;
+    bench.totals.gamepad_buttons = kPadA | kPadLeftBumper;
+    bench.step({});
+    EXPECT_EQ(bench.controls.for_devices().gamepad_buttons, kPadA | kPadLeftBumper);
+    bench.tap(Key::kEscape);
+    EXPECT_EQ(bench.controls.for_devices().gamepad_buttons, 0);
+    bench.tap(Key::kEscape);
+    ASSERT_EQ(bench.controls.screen(), Screen::kOperate);
+    bench.step({});
+    EXPECT_EQ(bench.controls.for_devices().gamepad_buttons, kPadLeftBumper)
+        << "precision goes on, the pedal does not";
+    bench.totals.gamepad_buttons = 0;
+    bench.step({});
+    bench.totals.gamepad_buttons = kPadA;
+    bench.step({});
+    EXPECT_EQ(bench.controls.for_devices().gamepad_buttons, kPadA);
+}
+
+TEST(AttemptControls, StartDoesNotGoOnWhileAnotherWindowHasTheFocus) {
+    for (const bool help : {false, true}) {
+        Bench bench;
+        bench.totals.gamepad = true;
+        if (help) bench.tap(Key::kF1);
+        bench.totals.focused = false;
+        bench.step({{.kind = Kind::kFocus, .down = false}});
+        ASSERT_TRUE(bench.controls.paused());
+        bench.step({{.kind = Kind::kStart, .down = true}});
+        EXPECT_TRUE(bench.controls.paused()) << "the press was for the window in front";
+        bench.totals.focused = true;
+        bench.step({{.kind = Kind::kFocus, .down = true}});
+        bench.step({{.kind = Kind::kStart, .down = true}});
+        EXPECT_FALSE(bench.controls.paused());
+    }
+}
+
 TEST(AttemptControls, TheLeftHandedLayoutIsTheSameInTheMirror) {
     ControlsSetup setup;
     setup.layout = haptics::ControlLayout::left_handed();

@@ -43,6 +43,7 @@ void AttemptControls::update(const view::WindowEvents& events, const sim::Window
                              const Pointer& pointer, double attempt_s, double now_s) {
     now_s_ = now_s;
     attempt_s_ = attempt_s;
+    focused_ = totals.focused;
     if (first_) last_totals_ = totals;
     first_ = false;
     left_operating_ = paused();
@@ -60,7 +61,7 @@ void AttemptControls::update(const view::WindowEvents& events, const sim::Window
         const bool pad = std::any_of(totals.gamepad_axis.begin(), totals.gamepad_axis.begin() + 4,
                                      [](float axis) { return std::abs(axis) > 0.5F; }) ||
                          totals.gamepad_buttons != 0;
-        if (moved_ > kMeantCounts || (totals.gamepad && pad))
+        if (moved_ > kMeantCounts || (totals.gamepad && totals.focused && pad))
             show(Screen::kOperate, PauseCause::kHelp);
     }
     publish(totals, !left_operating_);
@@ -84,6 +85,8 @@ void AttemptControls::take(const WindowEvent& event) {
         return;
     }
     if (event.kind == Kind::kFocus || event.kind == Kind::kHidden) return out_of_sight(event);
+    // A pad is heard without the focus, too: there it may pause, never go on.
+    if (event.kind == Kind::kStart && !focused_ && paused()) return;
     switch (screen_) {
         case Screen::kOperate:
             if (!panel_takes(event)) operate(event);

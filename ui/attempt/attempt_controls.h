@@ -128,7 +128,8 @@ class AttemptControls {
     sim::WindowInput devices_, last_totals_;
     std::bitset<static_cast<size_t>(sim::Key::kCount)> held_, tapped_;
     std::bitset<3> buttons_, clicked_;
-    bool first_ = true, left_operating_ = false;
+    uint16_t spent_pad_ = 0;  ///< Buttons of the pad that were down behind a screen.
+    bool first_ = true, left_operating_ = false, focused_ = true;
     double moved_ = 0;  // of the pointer since the first help was shown [counts]
     bool first_help_ = false;
 };

@@ -11,7 +11,7 @@ namespace {
 
 using sim::Key;
 
-constexpr uint16_t kPadStart = 1U << 7;
+constexpr uint16_t kPadPrecise = 1U << 4, kPadStart = 1U << 7;
 
 constexpr size_t place_of(Key key) { return static_cast<size_t>(key); }
 
@@ -76,7 +76,14 @@ void AttemptControls::publish(const sim::WindowInput& totals, bool operating) {
     if (setup_.layout.sticks_exchanged)
         for (const size_t axis : {0, 1})
             std::swap(devices_.gamepad_axis[axis], devices_.gamepad_axis[axis + 2]);
-    devices_.gamepad_buttons = totals.gamepad_buttons & static_cast<uint16_t>(~kPadStart);
+    // A pad's buttons are states: one that left a screen, or is held through it, is spent until it
+    // is let go. Precision fires nothing, and a hand that lost it would run: it goes on.
+    if (operating)
+        spent_pad_ &= totals.gamepad_buttons;
+    else
+        spent_pad_ = totals.gamepad_buttons & static_cast<uint16_t>(~kPadPrecise);
+    devices_.gamepad_buttons =
+        totals.gamepad_buttons & static_cast<uint16_t>(~(spent_pad_ | kPadStart));
     if (!operating) {
         // Triggers rest at -1.
         devices_.gamepad_axis = {0, 0, 0, 0, -1, -1};
