@@ -169,6 +169,17 @@ uint8_t WindowHands::own_press(uint8_t held) noexcept {
     return pressed_by_ == active_ ? held : 0;
 }
 
+// Nobody opens a hand in a pause or in another window: jaws whose button is let go there, or is
+// seen no more, stay closed until the next press. Energy is never kept. What is pressed there
+// begins afterwards.
+uint8_t WindowHands::keep_jaws(uint8_t held) noexcept {
+    const auto let_go = static_cast<uint8_t>(held_before_ & ~held);
+    held_before_ &= held;
+    if (pressed_by_ != active_) return 0;
+    if ((let_go & sim::kPedalCut) != 0 && !hands_[active_].energy) hands_[active_].latched = true;
+    return held_before_;
+}
+
 void WindowHands::move_jaw(WindowHand& hand, bool pressed, double dt_s) const noexcept {
     const double step = pressed || hand.latched ? -kJawRadS * dt_s : kJawRadS * dt_s;
     hand.jaw_rad = std::clamp(hand.jaw_rad + step, hand.jaw_least_rad,
@@ -215,8 +226,8 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
     if (now.is_down(sim::Key::kCoag)) pressed |= sim::kPedalCoag;
     // A pedal that is down in a pause has to be pressed anew; jaws stay as they are.
     const bool may_press = hands_[active_].energy ? allowed : attended;
-    const uint8_t held =
-        own_press(pedals_.update(pressed, t_ns, may_press, hands_[active_].endless));
+    const uint8_t counts = pedals_.update(pressed, t_ns, may_press, hands_[active_].endless);
+    const uint8_t held = allowed ? own_press(counts) : keep_jaws(counts);
     before_ = now;
 
     ++sequence_;

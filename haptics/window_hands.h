@@ -46,7 +46,7 @@ struct WindowHand {
     bool out = false;             ///< Waits outside.
     double jaw_least_rad = 0;     ///< A ratchet holds jaws from squeezing further.
     double jaw_open_rad = 0;      ///< As wide as the button lets them open.
-    bool latched = false;         ///< Left with closed jaws: they stay so until the next press.
+    bool latched = false;         ///< Left closed, or in a pause: so until the next press.
 };
 
 /// Group of virtual hands driven from the window. Servo thread only.
@@ -70,7 +70,7 @@ class WindowHands : public DeviceGroup {
     /// Buttons that stand for pedals or, for tools without energy, for closing the jaw (kPedalCut).
     [[nodiscard]] virtual uint8_t buttons(const sim::WindowInput& now) const noexcept = 0;
     [[nodiscard]] virtual bool finish(const sim::WindowInput&) const noexcept { return false; }
-    /// False while the hardware behind the window is absent: the hand is lost and lets go.
+    /// False while the hardware behind the window is absent: the hand is lost, its pedals let go.
     [[nodiscard]] virtual bool present(const sim::WindowInput&) const noexcept { return true; }
     /// Velocity of a rate-controlled hand, eased over 150 ms, then integrated into the target.
     static void ease(WindowHand& hand, const Vec3& wished_m_s, double dt_s) noexcept;
@@ -80,6 +80,7 @@ class WindowHands : public DeviceGroup {
     static void turn(WindowHand& hand, double dt_s) noexcept;
     void next_hand(uint32_t presses) noexcept;
     [[nodiscard]] uint8_t own_press(uint8_t held) noexcept;
+    [[nodiscard]] uint8_t keep_jaws(uint8_t held) noexcept;
     void move_jaw(WindowHand& hand, bool pressed, double dt_s) const noexcept;
 
     std::string model_;

@@ -311,6 +311,83 @@ TEST(Mouse, KeepsJawsClosedOverTabUntilTheNextPress) {
     EXPECT_NEAR(states[1].jaw_rad, open, 1e-9) << "pressed and let go: it opens";
 }
 
+/// A mouse with one tool, in pauses and without the focus.
+struct OneTool {
+    explicit OneTool(sim::ToolKind kind) {
+        DeviceConfig config;
+        config.name = "mouse";
+        config.window = &window;
+        config.tools.resize(1);
+        config.tools[0].kind = kind;
+        config.tools[0].tip_length_m = 0.010;
+        device = open_device(config);
+        read(500);
+    }
+    const DeviceState& read(int ticks) {
+        window.publish(input);
+        for (int i = 0; i < ticks; ++i) device->read(t_ns += kMs, states);
+        return states[0];
+    }
+    void away(bool gone, bool pause) {
+        if (pause)
+            device->hold(gone);
+        else
+            input.focused = !gone;
+    }
+
+    sim::WindowInput input;
+    sim::Latest<sim::WindowInput> window;
+    std::unique_ptr<DeviceGroup> device;
+    std::array<DeviceState, 1> states{};
+    int64_t t_ns = 0;
+};
+
+TEST(Mouse, KeepsWhatItsJawsHoldThroughAPauseAndAnotherWindow) {
+    for (const sim::ToolKind kind : {sim::ToolKind::kGrasper, sim::ToolKind::kNeedleDriver})
+        for (const bool pause : {true, false}) {
+            OneTool tool(kind);
+            const double open = tool.read(1).jaw_rad;
+            tool.input.left = true;
+            const double closed = tool.read(1000).jaw_rad;
+            EXPECT_LT(closed, open);
+            tool.away(true, pause);
+            tool.input.left = false;  // behind a menu the controls show no button
+            EXPECT_EQ(tool.read(100).jaw_rad, closed);
+            tool.away(false, pause);
+            EXPECT_EQ(tool.read(500).jaw_rad, closed) << "still held, pause " << pause;
+            tool.input.left = true;
+            EXPECT_EQ(tool.read(100).jaw_rad, closed);
+            tool.input.left = false;
+            EXPECT_NEAR(tool.read(500).jaw_rad, open, 1e-9) << "pressed and let go: it opens";
+            // What was open stays open, whatever is pressed and let go meanwhile.
+            tool.away(true, pause);
+            for (const bool down : {false, true, false}) {
+                tool.input.left = down;
+                tool.read(100);
+            }
+            tool.away(false, pause);
+            EXPECT_NEAR(tool.read(500).jaw_rad, open, 1e-9);
+        }
+}
+
+TEST(Mouse, CurrentStopsInAPauseAndWithoutTheFocusUntilPressedAnew) {
+    for (const bool pause : {true, false})
+        for (const bool held : {true, false}) {
+            OneTool tool(sim::ToolKind::kNeedle);
+            tool.input.left = true;
+            EXPECT_EQ(tool.read(100).pedals, sim::kPedalCut);
+            tool.away(true, pause);
+            tool.input.left = held;
+            EXPECT_EQ(tool.read(100).pedals, 0);
+            tool.away(false, pause);
+            EXPECT_EQ(tool.read(500).pedals, 0) << "pause " << pause << ", held " << held;
+            tool.input.left = false;
+            tool.read(10);
+            tool.input.left = true;
+            EXPECT_EQ(tool.read(10).pedals, sim::kPedalCut) << "pressed anew";
+        }
+}
+
 TEST(Mouse, ReleasesThePedalAfterTenSeconds) {
     Bench bench("mouse");
     bench.input.left = true;

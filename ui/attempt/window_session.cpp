@@ -147,11 +147,12 @@ class WindowSession {
         const Pointer pointer{x, y, view_.menu_item_under_pointer(),
                               view_.tuning_item_under_pointer()};
         controls_.update(view_.events(), totals_, pointer, runner_.status().time_s, seconds());
-        published_.publish(controls_.for_devices());
         if (controls_.paused() != paused_) {
             paused_ = controls_.paused();
             runner_.set_paused(paused_, controls_.pause_cause());
         }
+        // After the pause has begun: what is let go in it keeps its jaws.
+        published_.publish(controls_.for_devices());
         view_.capture_pointer(controls_.captures_pointer());
         if (const auto end = controls_.end()) runner_.request_finish(*end);
         for (const Command command : controls_.take_commands()) obey(command);
