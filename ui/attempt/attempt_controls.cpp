@@ -111,8 +111,9 @@ void AttemptControls::take(const WindowEvent& event) {
     }
 }
 
-/// Hands on a mouse stand still while another window is in front; an arm goes on. Nobody operates
-/// in a window that is minimised: whatever the device, there is no force and no clock.
+/// Hands on a mouse or SpaceMouse stand still while another window is in front; an arm goes on.
+/// Nobody operates in a window that is minimised: whatever the device, there is no force and no
+/// clock.
 void AttemptControls::out_of_sight(const WindowEvent& event) {
     if (event.kind == Kind::kFocus && event.down) return;
     held_since_s_.reset();

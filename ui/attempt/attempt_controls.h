@@ -39,7 +39,7 @@ struct ControlsSetup {
     double usual_s = 0;        ///< What the attempt usually takes; 0 = not known.
     double least_s = 0;        ///< A study's least duration; 0 = none.
     bool help_first = false;   ///< Begin with the help.
-    bool window_hands = true;  ///< Mouse, keyboard or gamepad: without the focus hands stand still.
+    bool window_hands = true;  ///< Without the focus hands stand still, and the attempt pauses.
     std::string language = "en";
     haptics::ControlLayout layout;  ///< Which key and button does what for the hands.
 };

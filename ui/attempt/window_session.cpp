@@ -6,11 +6,11 @@
 #include <chrono>
 #include <thread>
 
-#include "curriculum/usual_time.h"
 #include "haptics/control_words.h"
 #include "haptics/window_hands.h"
 #include "ui/attempt/attempt_controls.h"
 #include "ui/attempt/attempt_overlay.h"
+#include "ui/attempt/controls_setup.h"
 #include "ui/attempt/picture_pace.h"
 #include "ui/attempt/session_sound.h"
 #include "ui/attempt/sessions.h"
@@ -34,26 +34,6 @@ bool has_own_size(const Arguments& arguments) {
 }
 
 bool is_script(const Arguments& arguments) { return arguments.device.rfind("script:", 0) == 0; }
-
-bool has_window_hands(const Arguments& arguments) {
-    return arguments.device == "mouse" || arguments.device == "keyboard" ||
-           arguments.device == "gamepad";
-}
-
-ControlsSetup controls_setup(const curriculum::Task& task, const Arguments& arguments) {
-    ControlsSetup setup;
-    setup.mode = arguments.mode;
-    setup.planned_line = arguments.aids.planned_line;
-    setup.usual_s = curriculum::usual_time_s(task);
-    setup.least_s = arguments.least_s;
-    setup.window_hands = has_window_hands(arguments);
-    // Nobody starts in the dark; the steps of a practice task say it themselves.
-    setup.help_first =
-        setup.window_hands && task.steps.empty() && curriculum::conduct_of(arguments.mode).help;
-    setup.language = arguments.language;
-    setup.layout = arguments.layout;
-    return setup;
-}
 
 class ViewQuality final : public PictureQuality {
  public:
@@ -90,8 +70,8 @@ class WindowSession {
           pace_(quality_),
           sound_(arguments),
           scripted_(is_script(arguments)),
-          one_hand_(has_window_hands(arguments) || arguments.device == "spacemouse"),
-          read_on_(!scripted_ && !has_window_hands(arguments) && conduct_.help),
+          one_hand_(has_window_hands(arguments.device)),
+          read_on_(!scripted_ && !is_in_window(arguments.device) && conduct_.help),
           remember_size_(has_own_size(arguments) && !arguments.fullscreen) {}
 
     void run() {
