@@ -531,6 +531,47 @@ TEST(AttemptControls, TheLeftHandedLayoutIsTheSameInTheMirror) {
     EXPECT_FALSE(bench.controls.end());
 }
 
+WindowEvent typed(char32_t letter) { return {.kind = Kind::kLetter, .letter = letter}; }
+
+TEST(AttemptControls, AKeyboardWithoutLatinLettersWipesAndMutesByPlace) {
+    constexpr char32_t kDe = 0x0434, kSoftSign = 0x044C;  // where a Russian keyboard has L and M
+    Bench bench;
+    bench.step({{.kind = Kind::kKey, .key = Key::kL, .down = true, .letter = kDe}, typed(kDe)});
+    EXPECT_EQ(bench.controls.take_commands(), std::vector{Command::kWipeLens});
+    for (int i = 0; i < 20; ++i) bench.step({typed(kDe)});
+    EXPECT_TRUE(bench.controls.take_commands().empty()) << "held, it types on";
+    bench.step({key(Key::kL, false)});
+    bench.step({{.kind = Kind::kKey, .key = Key::kM, .down = true, .letter = kSoftSign},
+                typed(kSoftSign)});
+    EXPECT_EQ(bench.controls.take_commands(), std::vector{Command::kMute});
+    // Another key with such a letter means what its place means.
+    bench.step({{.kind = Kind::kKey, .key = Key::kX, .down = true, .letter = 0x0447}});
+    EXPECT_TRUE(bench.controls.take_commands().empty());
+    EXPECT_TRUE(bench.controls.for_devices().is_down(Key::kX));
+}
+
+TEST(AttemptControls, AKeyThatIsHeldWipesAndMutesOnce) {
+    struct Case {
+        Key place;
+        char32_t letter;
+        Command command;
+    };
+    // The last as on a French keyboard, whose M lies elsewhere.
+    for (const Case& each :
+         {Case{Key::kM, U'm', Command::kMute}, Case{Key::kL, U'L', Command::kWipeLens},
+          Case{Key::kSemicolon, U'm', Command::kMute}}) {
+        Bench bench;
+        for (int press = 0; press < 2; ++press) {
+            bench.step({key(each.place)});
+            for (int i = 0; i < 20; ++i) bench.step({typed(each.letter)});
+            EXPECT_EQ(bench.controls.take_commands(), std::vector{each.command});
+            bench.step({key(each.place, false)});
+        }
+        for (int i = 0; i < 3; ++i) bench.step({typed(U'+')});
+        EXPECT_EQ(bench.controls.take_commands().size(), 3U) << "louder goes on";
+    }
+}
+
 TEST(AttemptControls, MenusKeepTheirKeysWhateverTheHandsHave) {
     ControlsSetup setup;
     setup.layout = haptics::ControlLayout::parse(

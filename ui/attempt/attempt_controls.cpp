@@ -69,6 +69,7 @@ void AttemptControls::update(const view::WindowEvents& events, const sim::Window
 
 /// One event, for one screen.
 void AttemptControls::take(const WindowEvent& event) {
+    if (event.kind == Kind::kKey && event.down) struck_ = true;
     if (event.kind == Kind::kKey && !event.down) {
         const Key does = setup_.layout.does(event.key);
         if (does != Key::kCount) held_.reset(at(does));
@@ -216,7 +217,7 @@ void AttemptControls::operate_key(const WindowEvent& event) {
         case Key::kF2:
             break;
         default:
-            hand_key(event.key);
+            hand_key(event.key, event.letter);
             break;
     }
 }

@@ -85,7 +85,7 @@ class AttemptControls {
     void take(const view::WindowEvent& event);
     void operate(const view::WindowEvent& event);
     void operate_key(const view::WindowEvent& event);
-    void hand_key(sim::Key key);
+    void hand_key(sim::Key key, char32_t types);
     void letter(char32_t code);
     [[nodiscard]] bool panel_takes(const view::WindowEvent& event);
     void menu_key(const view::WindowEvent& event);
@@ -129,6 +129,7 @@ class AttemptControls {
     std::bitset<static_cast<size_t>(sim::Key::kCount)> held_, tapped_;
     std::bitset<3> buttons_, clicked_;
     uint16_t spent_pad_ = 0;  ///< Buttons of the pad that were down behind a screen.
+    bool struck_ = true;      ///< A key went down since L or M was typed.
     bool first_ = true, left_operating_ = false, focused_ = true;
     double moved_ = 0;  // of the pointer since the first help was shown [counts]
     bool first_help_ = false;

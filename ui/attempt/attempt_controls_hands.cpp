@@ -17,12 +17,14 @@ constexpr size_t place_of(Key key) { return static_cast<size_t>(key); }
 
 }  // namespace
 
-void AttemptControls::hand_key(Key key) {
+void AttemptControls::hand_key(Key key, char32_t types) {
     const Key does = setup_.layout.does(key);
     if (does == Key::kCount) return;
-    // Where nothing was chosen it is the letter that counts, below.
+    // Where nothing was chosen it is the letter that counts, below; the place where the keyboard
+    // has no Latin letters.
     if (does == Key::kL || does == Key::kM) {
-        if (key != does) commands_.push_back(does == Key::kL ? Command::kWipeLens : Command::kMute);
+        if (key != does || types != 0)
+            commands_.push_back(does == Key::kL ? Command::kWipeLens : Command::kMute);
         return;
     }
     held_.set(place_of(does));
@@ -31,13 +33,15 @@ void AttemptControls::hand_key(Key key) {
 }
 
 /// Letters that mean something wherever the keyboard puts them, unless their key does something
-/// else: sound and lens.
+/// else: sound and lens. A key that is held types on and on; L and M mean it once.
 void AttemptControls::letter(char32_t code) {
-    const auto usual = [this](Key key) { return setup_.layout.does(key) == key; };
-    if ((code == U'm' || code == U'M') && usual(Key::kM)) commands_.push_back(Command::kMute);
     if (code == U'+') commands_.push_back(Command::kLouder);
     if (code == U'-') commands_.push_back(Command::kSofter);
-    if ((code == U'l' || code == U'L') && usual(Key::kL)) commands_.push_back(Command::kWipeLens);
+    const bool mute = code == U'm' || code == U'M';
+    if (!mute && code != U'l' && code != U'L') return;
+    const Key usual = mute ? Key::kM : Key::kL;
+    if (!std::exchange(struck_, false) || setup_.layout.does(usual) != usual) return;
+    commands_.push_back(mute ? Command::kMute : Command::kWipeLens);
 }
 
 /// What is held stays held for nobody: after a menu everything has to be pressed anew.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window, and what mouse, keyboard and gamepad say. The only file that knows GLFW.
+// The window, and what mouse, keyboard and gamepad say. This file and window_keys.cpp know GLFW.
 
 #include <epoxy/gl.h>
 // epoxy stands before GLFW, which would otherwise bring its own gl.h.
@@ -13,98 +13,12 @@
 
 #include "ui/view/gl_context.h"
 #include "ui/view/gl_program.h"
+#include "ui/view/window_keys.h"
 
 namespace placode::view {
 
 using namespace sim;
 namespace {
-
-// Pedals appear as keyboards (F13, F14); 1 and 2 stand in for them.
-constexpr std::pair<int, Key> kKeys[] = {
-    {GLFW_KEY_W, Key::kW},
-    {GLFW_KEY_A, Key::kA},
-    {GLFW_KEY_S, Key::kS},
-    {GLFW_KEY_D, Key::kD},
-    {GLFW_KEY_Q, Key::kQ},
-    {GLFW_KEY_E, Key::kE},
-    {GLFW_KEY_R, Key::kR},
-    {GLFW_KEY_F, Key::kF},
-    {GLFW_KEY_X, Key::kX},
-    {GLFW_KEY_C, Key::kC},
-    {GLFW_KEY_V, Key::kV},
-    {GLFW_KEY_B, Key::kB},
-    {GLFW_KEY_SPACE, Key::kSpace},
-    {GLFW_KEY_TAB, Key::kTab},
-    {GLFW_KEY_LEFT_SHIFT, Key::kShift},
-    {GLFW_KEY_RIGHT_SHIFT, Key::kShift},
-    {GLFW_KEY_LEFT_CONTROL, Key::kControl},
-    {GLFW_KEY_RIGHT_CONTROL, Key::kControl},
-    {GLFW_KEY_ENTER, Key::kEnter},
-    {GLFW_KEY_KP_ENTER, Key::kEnter},
-    {GLFW_KEY_ESCAPE, Key::kEscape},
-    {GLFW_KEY_LEFT, Key::kLeft},
-    {GLFW_KEY_RIGHT, Key::kRight},
-    {GLFW_KEY_UP, Key::kUp},
-    {GLFW_KEY_DOWN, Key::kDown},
-    {GLFW_KEY_F1, Key::kF1},
-    {GLFW_KEY_F2, Key::kF2},
-    {GLFW_KEY_F3, Key::kF3},
-    {GLFW_KEY_F5, Key::kF5},
-    {GLFW_KEY_F12, Key::kF12},
-    {GLFW_KEY_G, Key::kG},
-    {GLFW_KEY_H, Key::kH},
-    {GLFW_KEY_I, Key::kI},
-    {GLFW_KEY_J, Key::kJ},
-    {GLFW_KEY_K, Key::kK},
-    {GLFW_KEY_L, Key::kL},
-    {GLFW_KEY_M, Key::kM},
-    {GLFW_KEY_N, Key::kN},
-    {GLFW_KEY_O, Key::kO},
-    {GLFW_KEY_P, Key::kP},
-    {GLFW_KEY_T, Key::kT},
-    {GLFW_KEY_U, Key::kU},
-    {GLFW_KEY_Y, Key::kY},
-    {GLFW_KEY_Z, Key::kZ},
-    {GLFW_KEY_0, Key::k0},
-    {GLFW_KEY_3, Key::k3},
-    {GLFW_KEY_4, Key::k4},
-    {GLFW_KEY_5, Key::k5},
-    {GLFW_KEY_6, Key::k6},
-    {GLFW_KEY_7, Key::k7},
-    {GLFW_KEY_8, Key::k8},
-    {GLFW_KEY_9, Key::k9},
-    {GLFW_KEY_COMMA, Key::kComma},
-    {GLFW_KEY_PERIOD, Key::kPeriod},
-    {GLFW_KEY_SLASH, Key::kSlash},
-    {GLFW_KEY_SEMICOLON, Key::kSemicolon},
-    {GLFW_KEY_APOSTROPHE, Key::kApostrophe},
-    {GLFW_KEY_LEFT_BRACKET, Key::kLeftBracket},
-    {GLFW_KEY_RIGHT_BRACKET, Key::kRightBracket},
-    {GLFW_KEY_BACKSLASH, Key::kBackslash},
-    {GLFW_KEY_GRAVE_ACCENT, Key::kGrave},
-    {GLFW_KEY_LEFT_ALT, Key::kAlt},
-    {GLFW_KEY_BACKSPACE, Key::kBackspace},
-    {GLFW_KEY_INSERT, Key::kInsert},
-    {GLFW_KEY_DELETE, Key::kDelete},
-    {GLFW_KEY_HOME, Key::kHome},
-    {GLFW_KEY_END, Key::kEnd},
-    {GLFW_KEY_PAGE_UP, Key::kPageUp},
-    {GLFW_KEY_PAGE_DOWN, Key::kPageDown},
-    {GLFW_KEY_KP_0, Key::kPad0},
-    {GLFW_KEY_KP_1, Key::kPad1},
-    {GLFW_KEY_KP_2, Key::kPad2},
-    {GLFW_KEY_KP_3, Key::kPad3},
-    {GLFW_KEY_KP_4, Key::kPad4},
-    {GLFW_KEY_KP_5, Key::kPad5},
-    {GLFW_KEY_KP_6, Key::kPad6},
-    {GLFW_KEY_KP_7, Key::kPad7},
-    {GLFW_KEY_KP_8, Key::kPad8},
-    {GLFW_KEY_KP_9, Key::kPad9},
-    {GLFW_KEY_F13, Key::kCut},
-    {GLFW_KEY_1, Key::kCut},
-    {GLFW_KEY_F14, Key::kCoag},
-    {GLFW_KEY_2, Key::kCoag},
-};
 
 std::string last_error() {
     const char* text = nullptr;
@@ -188,7 +102,7 @@ class GlfwWindow final : public GlContext {
         // A click that begins and ends between two polls (a slow picture) still counts.
         glfwSetInputMode(window_, GLFW_STICKY_MOUSE_BUTTONS, GLFW_TRUE);
         glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-            self(w).on_key(key, action);
+            self(w).on_key(key, scancode, action);
             if (action == GLFW_PRESS && (mods & GLFW_MOD_CONTROL) != 0)
                 self(w).on_letter(glfwGetKeyName(key, scancode));
         });
@@ -296,18 +210,20 @@ class GlfwWindow final : public GlContext {
         if (name != nullptr && name[0] != '\0' && name[1] == '\0')
             on_char(static_cast<unsigned char>(name[0]));
     }
-    void on_key(int key, int action) {
+    void on_key(int key, int scancode, int action) {
         if (key == GLFW_KEY_BACKSPACE && action != GLFW_RELEASE) {
             happened({.kind = WindowEvent::Kind::kLetter, .letter = U'\b'});
         }
-        if (action == GLFW_REPEAT) return;
-        for (const auto& [code, name] : kKeys) {
-            if (code != key) continue;
-            const auto i = static_cast<size_t>(name);
-            state_.down[i] = action == GLFW_PRESS;
-            if (action == GLFW_PRESS) ++state_.presses[i];
-            happened({.kind = WindowEvent::Kind::kKey, .key = name, .down = action == GLFW_PRESS});
-        }
+        const Key name = key_of(key);
+        if (action == GLFW_REPEAT || name == Key::kCount) return;
+        const bool down = action == GLFW_PRESS;
+        const auto i = static_cast<size_t>(name);
+        state_.down[i] = down;
+        if (down) ++state_.presses[i];
+        happened({.kind = WindowEvent::Kind::kKey,
+                  .key = name,
+                  .down = down,
+                  .letter = down ? other_letter(glfwGetKeyName(key, scancode)) : char32_t{0}});
     }
     // The pointer is kept inside a window that shrinks, in jumps that follow one another; the first
     // is often told before the new size is.

@@ -14,7 +14,7 @@ namespace placode::view {
 /// which screen each of them was meant for.
 struct WindowEvent {
     enum class Kind : uint8_t {
-        kKey,     ///< `key` went down or up.
+        kKey,     ///< `key` went down or up; `letter` is what it types if that is no ASCII, else 0.
         kButton,  ///< Mouse button `button` (0 left, 1 right, 2 middle) went down or up.
         kLetter,  ///< `letter` was typed; 8 = backspace.
         kStart,   ///< The gamepad's Start button went down.
