@@ -248,7 +248,8 @@ function(placode_ui_programs)
   add_library(placode_shell STATIC ${shell_sources})
   set_target_properties(placode_shell PROPERTIES AUTOMOC ON AUTORCC ON LINKER_LANGUAGE CXX
     AUTOGEN_ORIGIN_DEPENDS OFF)
-  target_link_libraries(placode_shell PUBLIC placode_reports placode_diagnostics Qt6::Widgets Qt6::PrintSupport)
+  target_link_libraries(placode_shell PUBLIC placode_reports placode_diagnostics Qt6::Widgets Qt6::PrintSupport
+    PRIVATE Qt6::DBus)
   placode_precompile(placode_shell <QApplication> <QCheckBox> <QComboBox> <QDateTime> <QFile> <QGridLayout> <QHBoxLayout>
     <QHeaderView> <QLabel> <QLineEdit> <QMainWindow> <QMessageBox> <QPainter> <QPlainTextEdit> <QPointer> <QProcess>
     <QPushButton> <QRegularExpression> <QScrollArea> <QTableWidget> <QTimer> <QToolButton> <QVBoxLayout>)

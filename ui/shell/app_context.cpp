@@ -64,8 +64,14 @@ AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) 
     launcher_ = std::make_unique<AttemptLauncher>(options.launch);
     replays_ = std::make_unique<ReplayQueue>();
     waiting_ = std::make_unique<WaitingRecordings>(*this);
-    connect(launcher_.get(), &AttemptLauncher::started, this, [this] { replays_->hold(true); });
-    connect(launcher_.get(), &AttemptLauncher::ended, this, [this] { replays_->hold(false); });
+    connect(launcher_.get(), &AttemptLauncher::started, this, [this] {
+        replays_->hold(true);
+        awake_.keep(QCoreApplication::translate("RunningPage", "Attempt is running"));
+    });
+    connect(launcher_.get(), &AttemptLauncher::ended, this, [this] {
+        replays_->hold(false);
+        awake_.release();
+    });
     installTranslators();
     apply_theme(*qApp, theme_);
     session_watch_.setInterval(kSessionWatchMs);

@@ -24,6 +24,7 @@
 #include "ui/shell/attempt_order.h"
 #include "ui/shell/messages.h"
 #include "ui/shell/replay_queue.h"
+#include "ui/shell/screen_awake.h"
 #include "ui/shell/theme.h"
 
 class QTranslator;
@@ -231,6 +232,7 @@ class AppContext : public QObject {
     ThemeKind theme_ = ThemeKind::kLight;
     QString language_ = "en";
     std::unique_ptr<QTranslator> own_strings_, qt_strings_;
+    ScreenAwake awake_;
     std::unique_ptr<AttemptLauncher> launcher_;
     std::unique_ptr<ReplayQueue> replays_;
     int busy_ = 0;
