@@ -168,6 +168,23 @@ TEST(AttemptControls, EnterHeldAsksInExamsStudiesAndEarlyHoweverLong) {
     }
 }
 
+TEST(AttemptControls, AKeyThatIsLetGoUnseenStopsAndAnswersNothing) {
+    const auto unseen = [](Key k) {
+        return WindowEvent{.kind = Kind::kKey, .key = k, .unseen = true};
+    };
+    Bench bench;
+    bench.step({key(Key::kEnter), key(Key::kX)});
+    EXPECT_TRUE(bench.controls.for_devices().is_down(Key::kX));
+    bench.step({unseen(Key::kX)});
+    EXPECT_FALSE(bench.controls.for_devices().is_down(Key::kX));
+    bench.step({key(Key::kEnter)}, 0.5);
+    bench.step({unseen(Key::kEnter)}, 0.5);
+    EXPECT_EQ(bench.controls.screen(), Screen::kOperate) << "no question either";
+    for (int i = 0; i < 5; ++i) bench.step({}, 1);
+    EXPECT_FALSE(bench.controls.end());
+    EXPECT_EQ(bench.controls.holding(), 0);
+}
+
 TEST(AttemptControls, TheMenusFinishAsksAgainInExamsStudiesAndEarly) {
     for (const EndCase& each : kEnds) {
         ControlsSetup setup;

@@ -188,7 +188,7 @@ void AttemptControls::operate(const WindowEvent& event) {
 void AttemptControls::operate_key(const WindowEvent& event) {
     if (!event.down) {
         // Enter that was only touched asks instead.
-        if (event.key == Key::kEnter && std::exchange(held_since_s_, std::nullopt))
+        if (event.key == Key::kEnter && std::exchange(held_since_s_, std::nullopt) && !event.unseen)
             ask(Question::kFinish, PauseCause::kMenu);
         return;
     }

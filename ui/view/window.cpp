@@ -13,6 +13,7 @@
 
 #include "ui/view/gl_context.h"
 #include "ui/view/gl_program.h"
+#include "ui/view/held_keys.h"
 #include "ui/view/window_keys.h"
 
 namespace placode::view {
@@ -144,6 +145,7 @@ class GlfwWindow final : public GlContext {
 
     void poll(WindowInput& input) override {
         glfwPollEvents();
+        let_go_unseen();
         take_quick_motion();
         unsettled_polls_ = std::max(0, unsettled_polls_ - 1);
         const auto button = [&](int b) {
@@ -215,8 +217,13 @@ class GlfwWindow final : public GlContext {
             happened({.kind = WindowEvent::Kind::kLetter, .letter = U'\b'});
         }
         const Key name = key_of(key);
-        if (action == GLFW_REPEAT || name == Key::kCount) return;
-        const bool down = action == GLFW_PRESS;
+        // GLFW takes a press for a repeat where it was not told of the release before.
+        if ((action == GLFW_REPEAT && held_.has(key)) || name == Key::kCount) return;
+        const bool down = action != GLFW_RELEASE;
+        if (down)
+            held_.pressed(key, scancode);
+        else
+            held_.released(key);
         const auto i = static_cast<size_t>(name);
         state_.down[i] = down;
         if (down) ++state_.presses[i];
@@ -224,6 +231,16 @@ class GlfwWindow final : public GlContext {
                   .key = name,
                   .down = down,
                   .letter = down ? other_letter(glfwGetKeyName(key, scancode)) : char32_t{0}});
+    }
+    void let_go_unseen() {
+        if (!held_.due(glfwGetTime())) return;
+        const auto keyboard = keys_of_keyboard();
+        if (!keyboard) return;
+        for (const int code : held_.lost(*keyboard)) {
+            const Key name = key_of(code);
+            state_.down[static_cast<size_t>(name)] = false;
+            happened({.kind = WindowEvent::Kind::kKey, .key = name, .unseen = true});
+        }
     }
     // The pointer is kept inside a window that shrinks, in jumps that follow one another; the first
     // is often told before the new size is.
@@ -259,7 +276,10 @@ class GlfwWindow final : public GlContext {
     // A key that is let go while another window has the focus is never reported: pedals must stop.
     void on_focus(bool focused) {
         state_.focused = focused;
-        if (!focused) state_.down.reset();
+        if (!focused) {
+            state_.down.reset();
+            held_.clear();
+        }
         happened({.kind = WindowEvent::Kind::kFocus, .down = focused});
         has_last_ = false;
     }
@@ -288,6 +308,7 @@ class GlfwWindow final : public GlContext {
     static constexpr uint16_t kStartButton = 1U << GLFW_GAMEPAD_BUTTON_START;
     WindowInput state_;
     WindowEvents events_;
+    HeldKeys held_;
     double last_x_ = 0, last_y_ = 0;
     bool has_last_ = false, captured_ = false;
     double placed_s_ = -1;                            ///< When the window was moved or sized last.

@@ -26,6 +26,7 @@ struct WindowEvent {
     sim::Key key = sim::Key::kCount;
     uint8_t button = 0;
     bool down = false;
+    bool unseen = false;  ///< A key is up, but nobody saw when: it was not let go to answer.
     char32_t letter = 0;
 };
 using WindowEvents = std::vector<WindowEvent>;
