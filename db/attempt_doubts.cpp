@@ -97,9 +97,9 @@ std::optional<Said> doubt_in_store(StoreContext& context, int64_t attempt_id,
     bool matters = false;
     {
         Statement query(context.connection,
-                        "SELECT r.checksum, a.final_hash, CASE WHEN a.exam_course <> '' OR a.study "
-                        "<> '' THEN 1 ELSE 0 END AS matters FROM attempts a JOIN recordings r ON "
-                        "r.attempt_id = a.id WHERE a.id = ?");
+                        "SELECT r.checksum, a.final_hash, CASE WHEN a.exam_course <> '' OR "
+                        "a.exam_begin <> 0 OR a.study <> '' THEN 1 ELSE 0 END AS matters FROM "
+                        "attempts a JOIN recordings r ON r.attempt_id = a.id WHERE a.id = ?");
         if (!query.run(attempt_id).next())
             context.connection.fail(
                 StoreError::Kind::kNotFound,

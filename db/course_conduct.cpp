@@ -155,12 +155,16 @@ curriculum::AttemptOutcome outcome_of(const AttemptRecord& attempt, const ExamBe
     outcome.certified = !attempt.exam.device_certificate.empty();
     // What waits for its replay, or was found to prove nothing, is used up and not met: a case
     // was seen, and nobody gets another one by spoiling a file.
-    const bool unproven = not_verified(attempt) || attempt.replay == ReplayState::kWaiting;
+    // Whoever ended a begin was asked for a replay (db/attempts.cpp), whatever the row says of it.
+    const bool asked = begin != nullptr && attempt.void_reason.empty();
+    const bool unproven = not_verified(attempt) || attempt.replay == ReplayState::kWaiting ||
+                          (asked && attempt.replay != ReplayState::kIdentical);
     outcome.voided = !attempt.void_reason.empty() && !not_verified(attempt);
     outcome.interrupted = attempt.end == sim::EndReason::kInterrupted || unproven;
     if (begin == nullptr) return outcome;
     // Nor by putting the recording of another case in the place of the one that went badly.
-    if (attempt.task_id != begin->task_id || attempt.seed != begin->seed) {
+    if (attempt.task_id != begin->task_id || attempt.seed != begin->seed ||
+        attempt.exam.course_id.empty()) {
         outcome.interrupted = true;
         outcome.voided = false;
     }

@@ -40,6 +40,8 @@ BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM placode_guard.insist(NEW.replayed_utc = '' AND NEW.generated_from = 0 AND NEW.replay =
             CASE WHEN NEW.exam_course <> '' OR NEW.study <> '' THEN waits ELSE 0 END);
+        -- What ends an exam that was begun is an exam, and so is asked all of this.
+        PERFORM placode_guard.insist(NEW.exam_begin = 0 OR NEW.exam_course <> '');
         -- An exam of one's own is the one that was begun here: a proctor's name is anybody's word.
         IF NEW.exam_course <> '' AND NEW.void_reason = '' AND NEW.account_id = placode_guard.me() THEN
             PERFORM placode_guard.insist(EXISTS (SELECT FROM public.exam_begins b

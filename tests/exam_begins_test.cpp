@@ -262,6 +262,22 @@ TEST_P(ExamBegins, NorDoesARowThatSaysSomethingElseThanItsBegin) {
     }
 }
 
+/// As somebody adds it who names the begin and says that it is practice: it would count at once.
+TEST_P(ExamBegins, WhatEndsABeginCountsOnceItWasSimulatedAgainWhateverItSays) {
+    (void)keep(result_of(begun()));
+    const auto say = [&](const char* what) {
+        EXPECT_TRUE(raw().run(std::string("UPDATE attempts SET ") + what)) << what;
+        EXPECT_EQ(stage().attempts, 1) << what;
+        EXPECT_EQ(stage().next_seed, 8u) << what;
+        return progress().mastered;
+    };
+    EXPECT_FALSE(say("replay = 0, exam_course = ''"));
+    EXPECT_FALSE(say("replay = 0, exam_course = 'short'"));
+    EXPECT_FALSE(say("replay = 1, exam_course = 'short'")) << "it waits";
+    EXPECT_FALSE(say("replay = 2, exam_course = ''"));
+    EXPECT_TRUE(say("replay = 2, exam_course = 'short'"));
+}
+
 TEST_P(ExamBegins, TwoStationsDoNotBeginTheSameAttempt) {
     const auto elsewhere = open();
     const db::ExamOrder here = prepared(*store), there = prepared(*elsewhere);
