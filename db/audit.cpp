@@ -118,6 +118,13 @@ std::vector<StationRecord> Audit::stations() {
     return found;
 }
 
+std::set<std::string> Audit::trusted_keys() {
+    connection_.begin_operation("list the stations that are trusted in");
+    context_.need(Action::kViewAudit);
+    (void)context_.station.public_key();
+    return trusted_stations(context_);
+}
+
 std::string Audit::own_station() {
     connection_.begin_operation("read the key of this computer for");
     context_.need(Action::kUseStore);

@@ -5,6 +5,7 @@
 // transaction; an entry's chain says that none before it was changed.
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,8 @@ class Audit {
     [[nodiscard]] std::optional<AuditRecord> first();
     /// Who has written into the trail, in the order of their first entries.
     [[nodiscard]] std::vector<StationRecord> stations();
+    /// Public keys of those that are trusted, also of some that have not written here.
+    [[nodiscard]] std::set<std::string> trusted_keys();
     /// Public key of this computer, made where there is none yet; "" where there can be none.
     [[nodiscard]] std::string own_station();
     /// From now on what the station has signed and signs is right. @param station the fingerprint

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/erasure.h"
 
+#include <charconv>
 #include <filesystem>
 
 #include "db/foreign_store.h"
@@ -89,8 +90,10 @@ std::vector<ErasedPerson> people_of(const std::vector<AuditRecord>& entries) {
     std::vector<ErasedPerson> people;
     for (const AuditRecord& entry : entries) {
         const std::string number = entry.object.substr(entry.object.find(' ') + 1);
-        if (!number.empty() && number.find_first_not_of("0123456789") == std::string::npos)
-            people.push_back({std::stoll(number), entry.detail == kWithAttempts});
+        int64_t id = 0;
+        const auto read = std::from_chars(number.data(), number.data() + number.size(), id);
+        if (read.ec == std::errc() && read.ptr == number.data() + number.size() && id > 0)
+            people.push_back({id, entry.detail == kWithAttempts});
     }
     return people;
 }

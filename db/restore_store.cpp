@@ -4,15 +4,13 @@
 
 #include <QDateTime>
 #include <filesystem>
-#include <map>
-#include <optional>
 
 #include "db/durable_file.h"
 #include "db/ended_again.h"
+#include "db/ended_meanwhile.h"
 #include "db/erasure.h"
 #include "db/foreign_store.h"
 #include "db/held_store.h"
-#include "db/raw_sqlite.h"
 #include "db/said.h"
 #include "db/sqlite_file.h"
 #include "db/station.h"
@@ -26,51 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = StoreError::Kind;
 
-/// What the store that is replaced says of erasures and withdrawals, and which store that is.
-struct Meanwhile {
-    std::string store;
-    std::vector<AuditRecord> people, records;
-    std::map<std::string, std::string> reasons;  ///< Of withdrawals, by "STUDY CODE".
-};
-
-/// False: the rest cannot be read.
-bool read_ends(sqlite3* database, Meanwhile& found) {
-    RawStatement ended(database,
-                       "SELECT action, object, detail, at_utc FROM audit WHERE action IN "
-                       "('user.erase', 'study.withdraw', 'study.retention') ORDER BY id");
-    if (ended.prepared() != SQLITE_OK) return false;
-    int step = 0;
-    while ((step = ended.step()) == SQLITE_ROW) {
-        AuditRecord entry;
-        entry.action = ended.text(0);
-        entry.object = ended.text(1);
-        entry.detail = ended.text(2);
-        entry.at_utc = ended.text(3);
-        (entry.action == "user.erase" ? found.people : found.records).push_back(std::move(entry));
-    }
-    return step == SQLITE_DONE;
-}
-
-/// Read without opening it as a store, which would bring an older one up to date. Nothing where it
-/// cannot be read.
-std::optional<Meanwhile> ended_meanwhile(const std::string& path) {
-    sqlite3* database = nullptr;
-    const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
-    const SqlitePointer owner(database);
-    if (code != SQLITE_OK) return std::nullopt;
-    distrust_schema(database);
-    RawStatement first(database, "SELECT chain FROM audit ORDER BY id LIMIT 1");
-    if (first.prepared() != SQLITE_OK || first.step() != SQLITE_ROW) return std::nullopt;
-    Meanwhile found;
-    found.store = first.text(0);
-    if (!read_ends(database, found)) return std::nullopt;
-    // A store from before there were withdrawals has no such table.
-    RawStatement why(database, "SELECT study_id, code, reason FROM withdrawals");
-    while (why.prepared() == SQLITE_OK && why.step() == SQLITE_ROW)
-        found.reasons[why.text(0) + " " + why.text(1)] = why.text(2);
-    return found;
-}
-
 void prove(const std::string& copy, const std::string& backup_path, const std::string& operation,
            const std::string& actor, const std::string& replaced_path) {
     if (!is_marked_as_store(copy))
@@ -81,6 +34,7 @@ void prove(const std::string& copy, const std::string& backup_path, const std::s
     if (const std::string problem = copy_problem(copy); !problem.empty())
         throw StoreError(Kind::kDamaged, operation + ": the backup is damaged (" + problem +
                                              "); nothing was changed");
+    const bool without_signature = !has_signed_entries(copy);  // Opening it may add one.
     const auto store = open_store("sqlite:" + copy);
     auto problems = store->check();
     const std::string stated = head_file_of(backup_path);
@@ -89,14 +43,17 @@ void prove(const std::string& copy, const std::string& backup_path, const std::s
         throw StoreError(Kind::kDamaged, operation + ": the backup is damaged (" +
                                              problems.front() + "); nothing was changed");
     // A person who asked to be erased does not come back with a backup, nor do the records of a
-    // participant who withdrew.
-    const auto meanwhile = ended_meanwhile(replaced_path);
+    // participant who withdrew. Who can write to that store's file can name anybody there.
+    const auto meanwhile = ended_meanwhile(
+        replaced_path,
+        {store->audit().head().store, store->audit().trusted_keys(), without_signature});
     const bool was_here = fs::exists(replaced_path) || fs::exists(mark_of_store(replaced_path));
     store->audit().write(actor, "store.restore", backup_path,
                          meanwhile || !was_here ? "" : kErasuresUnknown);
-    if (!meanwhile || meanwhile->store != store->audit().head().store) return;
+    if (!meanwhile) return;
     erase_again(*store, people_of(meanwhile->people));
     end_again(*store, ended_records(meanwhile->records), meanwhile->reasons);
+    name_doubted(*store, actor, meanwhile->doubted);
 }
 
 }  // namespace

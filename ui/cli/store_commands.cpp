@@ -10,6 +10,7 @@
 #include <regex>
 
 #include "db/ended_again.h"
+#include "db/ended_meanwhile.h"
 #include "db/erasure.h"
 #include "db/store_url.h"
 #include "ui/cli/centre_passphrase.h"
@@ -123,15 +124,22 @@ int restore(const Context& context, const std::string& path) {
     const auto last = store->audit().trail(1);
     const bool unknown = !last.empty() && last.front().detail == db::kErasuresUnknown;
     const std::vector<std::string> again = db::done_again(*store);
+    const std::vector<std::string> doubted = db::not_believed(*store);
     Json json{{"store", db::parse_store_url(url).shown},
               {"restored_from", path},
               {"erasures_unknown", unknown},
-              {"done_again", again}};
+              {"done_again", again},
+              {"not_believed", doubted}};
     if (!aside.empty()) json["old_store"] = aside;
     std::string ended;
     for (const std::string& each : again) ended += "\n  " + each;
     if (!ended.empty())
         ended = "\nerased or withdrawn since this backup, and so again in the store:" + ended;
+    if (!doubted.empty())
+        ended +=
+            "\nnot proved in the old store by a computer that this one trusts, and so not done; "
+            "look at your list of requests:";
+    for (const std::string& each : doubted) ended += "\n  " + each;
     print(context, json,
           "restored " + path + (aside.empty() ? "" : "; the old store is kept as " + aside) +
               ended +

@@ -93,6 +93,8 @@ constexpr auto kWords = std::to_array<Words>({
     {"store.backup", QT_TRANSLATE_NOOP("AuditWords", "made a backup")},
     {"store.move", QT_TRANSLATE_NOOP("AuditWords", "moved the store")},
     {"store.restore", QT_TRANSLATE_NOOP("AuditWords", "restored a backup")},
+    {"store.restore.doubt",
+     QT_TRANSLATE_NOOP("AuditWords", "erased nobody on the word of an entry that is not proved")},
     {"store.seal", QT_TRANSLATE_NOOP("AuditWords", "sealed what was there")},
     {"study.answers", QT_TRANSLATE_NOOP("AuditWords", "saved a questionnaire's answers")},
     {"study.consent.signature", QT_TRANSLATE_NOOP("AuditWords", "saved a signed consent")},

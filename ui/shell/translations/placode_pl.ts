@@ -1044,6 +1044,10 @@
         <translation>przywrócono kopię zapasową</translation>
     </message>
     <message>
+        <source>erased nobody on the word of an entry that is not proved</source>
+        <translation>nikogo nie usunięto na podstawie wpisu bez dowodu</translation>
+    </message>
+    <message>
         <source>saved a questionnaire's answers</source>
         <translation>zapisano odpowiedzi kwestionariusza</translation>
     </message>
