@@ -163,8 +163,11 @@ $$
 CREATE OR REPLACE FUNCTION placode_guard.named_in(said TEXT)
 RETURNS TABLE (account_id BIGINT, login TEXT, display_name TEXT)
 LANGUAGE sql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
-    SELECT p.account_id, p.login, p.display_name FROM public.persons p
-        WHERE strpos(lower(said), lower(p.login)) > 0 OR strpos(lower(said), lower(p.display_name)) > 0
+    -- Nothing but what was said: the one of both names does not tell the other.
+    SELECT p.account_id, CASE WHEN strpos(lower(said), lower(p.login)) > 0 THEN p.login ELSE '' END,
+        CASE WHEN strpos(lower(said), lower(p.display_name)) > 0 THEN p.display_name ELSE '' END
+        FROM public.persons p WHERE placode_guard.is_in() AND length(said) < 20000
+            AND (strpos(lower(said), lower(p.login)) > 0 OR strpos(lower(said), lower(p.display_name)) > 0)
 $$
 --
 CREATE OR REPLACE FUNCTION placode_guard.has_pin(who BIGINT) RETURNS BOOLEAN

@@ -102,18 +102,41 @@ std::string possible_names(bool sqlite) {
            " > LENGTH(login || display_name)";
 }
 
+/// What the server looks into at once; each overlaps the next by more than a name.
+std::vector<QVariant> pieces_of(const std::string& typed) {
+    constexpr qsizetype kPiece = 4000, kOverlap = 1000;
+    const QString all = QString::fromStdString(typed);
+    std::vector<QVariant> pieces;
+    for (qsizetype at = 0; at == 0 || at + kOverlap < all.size(); at += kPiece - kOverlap)
+        pieces.emplace_back(
+            QString::fromStdString(in_several_cases(all.mid(at, kPiece).toStdString())));
+    return pieces;
+}
+
+/// The server's answer to so many pieces: of whoever is named in one, what stands there.
+std::string named_in_pieces(size_t pieces) {
+    constexpr const char* kOne = "SELECT * FROM placode_guard.named_in(?)";
+    std::string sql = kOne;
+    for (size_t i = 1; i < pieces; ++i) sql += std::string(" UNION ") + kOne;
+    return "(" + sql + ") named";
+}
+
 }  // namespace
 
 std::string StoreContext::without_names(const std::string& typed) {
     std::string text = typed;
-    // A server shows a station only some names, and answers with those that the text holds.
+    // A server shows a station only some names, and answers with those that the text holds; before
+    // a sign-in with none.
     const bool guarded = connection.hides_passwords();
     const FoldedText folded(typed);
+    const std::vector<QVariant> said =
+        guarded ? pieces_of(typed)
+                : std::vector<QVariant>{QString::fromStdString(folded.letters())};
     Statement query(connection, "SELECT account_id, login, display_name FROM " +
-                                    (guarded ? std::string("placode_guard.named_in(?)")
+                                    (guarded ? named_in_pieces(said.size())
                                              : possible_names(connection.is_sqlite())) +
                                     " ORDER BY LENGTH(display_name) DESC, account_id");
-    query.run(guarded ? in_several_cases(typed) : folded.letters());
+    query.run_list(said);
     while (query.next())
         for (const int column : {2, 1})
             if (const FoldedText name(query.text(column)); folded.find(name))

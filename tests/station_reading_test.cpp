@@ -363,4 +363,36 @@ TEST_P(StationReading, ATraineeSeesWhoTeachesAndNobodyElse) {
     EXPECT_EQ(outcome_of(station, "SELECT 1 FROM persons WHERE CAST(login AS INT) = 0").rows, 0);
 }
 
+// The trail names nobody (StoreContext::without_names); who asks what it would replace learns no
+// more than what they have said.
+TEST_P(StationReading, WhoIsNamedInATextIsToldToWhomeverHasSignedInAndSaidSo) {
+    RawConnection station = World::get().server().connect_station(database);
+    std::string everybody;
+    for (const auto& [login, mine] : world.of) everybody += "Name of " + login + ", ";
+    const std::string from = " FROM placode_guard.named_in('" + everybody + "')";
+    EXPECT_EQ(station.value("SELECT COUNT(*)" + from), "0") << "nobody";
+    Intruder person(station);
+    ASSERT_NE(person.enter("trainee", kPassword), "0");
+    EXPECT_EQ(station.value("SELECT COUNT(*)" + from), std::to_string(world.of.size()));
+    EXPECT_EQ(station.value("SELECT login || '/' || display_name FROM placode_guard.named_in('by "
+                            "grouped')"),
+              "grouped/")
+        << "the log-in does not tell the name";
+    EXPECT_EQ(station.value("SELECT COUNT(*) FROM placode_guard.named_in(repeat(' ', 20000) || "
+                            "'grouped')"),
+              "0");
+    // The store asks in pieces, so that no text is too long to be without names.
+    const auto store = open_at_station();
+    store->sign_out();
+    ASSERT_EQ(store->accounts().sign_in("educator", kPassword).outcome, db::SignInOutcome::kOk);
+    const std::string number = "user " + std::to_string(world.of.at("grouped").person);
+    for (const size_t length : {0U, 3990U, 30000U}) {
+        store->audit().write("educator", "export.csv", "x.csv",
+                             std::string(length, '.') + " of Name of GROUPED, by grouped");
+        EXPECT_EQ(raw().value("SELECT ltrim(detail, '.') FROM audit ORDER BY id DESC LIMIT 1"),
+                  " of " + number + ", by " + number)
+            << length;
+    }
+}
+
 }  // namespace THIS_TEST
