@@ -114,6 +114,7 @@ void run_dump(Connection& connection, const std::string& snapshot, const std::st
                {"--format=custom", "--enable-row-security", "--no-password",
                 "--exclude-table-data=placode_guard.sessions",
                 "--exclude-table-data=placode_guard.channels",
+                "--exclude-table-data=placode_guard.confirmations",
                 "--snapshot=" + QString::fromStdString(snapshot),
                 "--file=" + QString::fromStdString(part)});
     if (!dump.waitForStarted() || !dump.waitForFinished(-1) ||

@@ -18,15 +18,24 @@ constexpr const char* kOwnOrAdministrator = "placode_guard.need(8, account_id)";
 constexpr const char* kEducator = "placode_guard.need(2)";
 constexpr const char* kTeachesOrAdministers = "placode_guard.need(10)";
 constexpr const char* kCoordinator = "placode_guard.need(4)";
-constexpr const char* kErases = "placode_guard.need(12)";
 constexpr const char* kStaff = "placode_guard.need(14)";
 constexpr const char* kNever = "false";
 // With the groups that somebody teaches.
-constexpr const char* kTeachesThePerson = "placode_guard.need_person(0, 2, account_id, false)";
 constexpr const char* kOwnOrTeaches = "placode_guard.need_person(0, 2, account_id, true)";
 constexpr const char* kTeachesTheTarget =
     "CASE WHEN group_id IS NULL THEN placode_guard.need_person(0, 2, account_id, false) ELSE "
     "placode_guard.need_group(0, 2, group_id) END";
+// In the name of whoever has signed in.
+constexpr const char* kGrants =
+    "placode_guard.need_person(0, 2, account_id, false) AND "
+    "placode_guard.need_own_word(granted_by)";
+constexpr const char* kAssigns =
+    "CASE WHEN group_id IS NULL THEN placode_guard.need_person(0, 2, account_id, false) ELSE "
+    "placode_guard.need_group(0, 2, group_id) END AND placode_guard.need_own_word(assigned_by)";
+constexpr const char* kWithdraws =
+    "placode_guard.need(4) AND placode_guard.need_own_word(withdrawn_by)";
+constexpr const char* kCorrects =
+    "placode_guard.need(4) AND placode_guard.need_own_word(corrected_by)";
 constexpr const char* kKeepsTheGroup =
     "placode_guard.need_group(8, 2, group_id) AND placode_guard.need_person(8, 2, account_id, "
     "false)";
@@ -83,6 +92,7 @@ struct TableRule {
     const char* adds;
     const char* changes;
     const char* removes;
+    const char* changed = nullptr;  ///< Of the row as it is then; nullptr: as `changes`.
 };
 
 constexpr std::array kRules{
@@ -96,10 +106,8 @@ constexpr std::array kRules{
     TableRule{"training_groups", kSeesGroups, kTeachesOrAdministers, kAdministrator,
               kAdministrator},
     TableRule{"group_members", kSeesOwnOrTeaches, kKeepsTheGroup, kKeepsTheGroup, kKeepsTheGroup},
-    TableRule{"course_assignments", kSeesAssignments, kTeachesTheTarget, kTeachesTheTarget,
-              kAdministrator},
-    TableRule{"course_grants", kSeesOwnOrTeaches, kTeachesThePerson, kAdministrator,
-              kAdministrator},
+    TableRule{"course_assignments", kSeesAssignments, kAssigns, kTeachesTheTarget, kAdministrator},
+    TableRule{"course_grants", kSeesOwnOrTeaches, kGrants, kAdministrator, kAdministrator},
     TableRule{"exam_begins", kSeesOwnOrTeaches, "placode_guard.need_begin(account_id, begun_utc)",
               kNever, kAdministrator},
     TableRule{"certificates", kSeesOwnOrTeaches, kOwnOrTeaches, kAdministrator, kAdministrator},
@@ -131,14 +139,15 @@ constexpr std::array kRules{
     TableRule{"participants", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
     TableRule{"participant_states", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
     TableRule{"participant_devices", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"withdrawals", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"withdrawals", kSeesStudies, kWithdraws, kCoordinator, kCoordinator, kWithdraws},
     TableRule{"consent_signatures", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"answer_corrections", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"answer_corrections", kSeesStudies, kCorrects, kCoordinator, kCoordinator},
     TableRule{"second_entries", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
     TableRule{"second_entry_items", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
     TableRule{"superseded_steps", kSeesSteps, kCoordinator, kCoordinator, kCoordinator},
     TableRule{"step_notes", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"record_events", kSeesStudies, kCoordinator, kErases, kAdministrator},
+    TableRule{"record_events", kSeesStudies, "placode_guard.need_event(event, by_login, by_name)",
+              "placode_guard.need_blank(id, by_name, remark)", kAdministrator},
     TableRule{"study_allocations", kSeesStudies, kStaff, kStaff, kAdministrator},
 };
 constexpr int kPoliciesOfATable = 5;
@@ -152,7 +161,7 @@ constexpr const char* kCalled =
     "'seal_of_account', 'seal_of_pin', 'seal_parts', 'me', 'need', 'version', 'is_in', 'holder', "
     "'has_role', 'is_staff', 'is_demonstration', 'need_person', 'need_group', 'need_save', "
     "'need_part', 'need_erase', 'need_remark', 'need_removal', 'need_rating', 'need_rating_part', "
-    "'need_text', 'need_begin', "
+    "'need_text', 'need_begin', 'need_own_word', 'need_event', 'need_blank', "
     "'any_account', 'account_of', 'named_in', 'has_pin', 'invitation_by', 'owner_of_attempt', "
     "'attempt_with', "
     "'attempt_ending', 'verifies', 'verifies_attempt', 'trail_end', 'trail_chain', 'trail_first', "
@@ -189,7 +198,9 @@ std::string rule_statement(const TableRule& rule) {
     sql += "    CREATE POLICY station_adds" + on + " FOR INSERT" + to + " WITH CHECK (" +
            rule.adds + ");\n";
     sql += "    CREATE POLICY station_changes" + on + " FOR UPDATE" + to + " USING (" +
-           rule.changes + ");\n";
+           rule.changes + ")" +
+           (rule.changed != nullptr ? std::string(" WITH CHECK (") + rule.changed + ")" : "") +
+           ";\n";
     sql += "    CREATE POLICY station_removes" + on + " FOR DELETE" + to + " USING (" +
            rule.removes + ");\n";
     return sql + "    ALTER TABLE public." + rule.table +
@@ -301,7 +312,7 @@ std::vector<std::string> unmarked_statements() {
                   kStationRole);
     for (const char* text :
          {kGuardChecksum, kGuardIdentity, kGuardChannel, kGuardSignIn, kGuardAccounts, kGuardScopes,
-          kGuardAttempts, kGuardAnswers, kGuardExams})
+          kGuardAttempts, kGuardAnswers, kGuardExams, kGuardWords})
         add_statements(sql, text);
     sql.push_back(seal_statement());
     for (const TableRule& rule : kRules) sql.push_back(rule_statement(rule));

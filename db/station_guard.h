@@ -39,7 +39,7 @@ inline constexpr const char* kHiddenColumns = "'password_hash', 'pin_hash'";
 /// sight, or it is changed before anybody has signed in. Then placode_guard.seal_parts() is asked.
 [[nodiscard]] bool server_seals(std::string_view kind);
 
-// db/station_guard_sql.cpp, ..._accounts_sql.cpp, ..._reading_sql.cpp, ..._attempts_sql.cpp:
+// db/station_guard_sql.cpp, ..._accounts_sql.cpp, ..._reading_sql.cpp, ..._attempts_sql.cpp, others:
 // statements, separated by lines "--".
 extern const char* const kGuardTables;
 extern const char* const kGuardChecksum;
@@ -51,5 +51,6 @@ extern const char* const kGuardScopes;
 extern const char* const kGuardAnswers;
 extern const char* const kGuardAttempts;
 extern const char* const kGuardExams;  // db/station_guard_exams_sql.cpp
+extern const char* const kGuardWords;  // db/station_guard_words_sql.cpp
 
 }  // namespace placode::db

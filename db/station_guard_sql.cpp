@@ -8,7 +8,8 @@
 namespace placode::db {
 
 // What only these functions read. A channel is a secret that this backend alone was told, for one
-// call; a session is who has signed in, by a token that the backend keeps in a setting.
+// call; a session is who has signed in, by a token that the backend keeps in a setting; a
+// confirmation is who has just given their password to this backend without signing in.
 const char* const kGuardTables = R"sql(
 CREATE SCHEMA IF NOT EXISTS placode_guard
 --
@@ -17,6 +18,9 @@ CREATE TABLE IF NOT EXISTS placode_guard.channels (
 --
 CREATE TABLE IF NOT EXISTS placode_guard.sessions (
     token TEXT PRIMARY KEY, account BIGINT NOT NULL, since TIMESTAMPTZ NOT NULL, resting BOOLEAN NOT NULL)
+--
+CREATE TABLE IF NOT EXISTS placode_guard.confirmations (
+    pid INT PRIMARY KEY, account BIGINT NOT NULL, made TIMESTAMPTZ NOT NULL)
 --
 CREATE TABLE IF NOT EXISTS placode_guard.salt_key (id INT PRIMARY KEY CHECK (id = 1), key BYTEA NOT NULL)
 --
@@ -144,6 +148,11 @@ BEGIN
     IF NOT FOUND OR NOT placode_guard.proves(secret, who.password_hash, proof) THEN RETURN; END IF;
     IF becomes AND who.active = 1 THEN
         PERFORM placode_guard.begin_session(who.id, clock_timestamp());
+    ELSIF who.active = 1 THEN
+        DELETE FROM placode_guard.confirmations WHERE pid IN (SELECT c.pid FROM placode_guard.confirmations c
+            WHERE c.made < clock_timestamp() - INTERVAL '10 minutes' FOR UPDATE SKIP LOCKED);
+        INSERT INTO placode_guard.confirmations VALUES (pg_backend_pid(), who.id, clock_timestamp())
+            ON CONFLICT (pid) DO UPDATE SET account = excluded.account, made = excluded.made;
     END IF;
     -- Also of an account that is closed, and of a proctor: whoever has the password may know whose it is.
     RETURN QUERY SELECT a.id, p.login, p.display_name, a.roles, a.active, a.demonstration, a.created_utc,

@@ -69,6 +69,7 @@ TEST_P(ServerDump, HoldsAllThatTheOwnerHasAndComesBack) {
         RawConnection behind("QPSQL", kOwn, db::parse_store_url(as_owner(kOwn)).port,
                              World::get().server().password());
         ASSERT_TRUE(behind.run("INSERT INTO placode_guard.sessions VALUES ('t', 1, now(), false)"));
+        ASSERT_TRUE(behind.run("INSERT INTO placode_guard.confirmations VALUES (1, 1, now())"));
         store->backup(dump);
     }
     struct stat status {};
@@ -91,6 +92,7 @@ TEST_P(ServerDump, HoldsAllThatTheOwnerHasAndComesBack) {
     }
     RawConnection behind = World::get().server().connect(again);
     EXPECT_EQ(behind.value("SELECT COUNT(*) FROM placode_guard.sessions"), "0");
+    EXPECT_EQ(behind.value("SELECT COUNT(*) FROM placode_guard.confirmations"), "0");
     // What is there is not written over.
     const StoreError twice =
         failure_of([&] { db::open_store(as_owner(kOwn), options)->backup(dump); });

@@ -159,11 +159,11 @@ const std::vector<Write>& writes() {
          "questionnaire_version, blinded, rated_utc) VALUES ({attempt}, {me}, 'x', 1, 0, '')",
          {Action::kReviewAttempts}},
         {"INSERT INTO course_assignments (course_id, course_version, account_id, starts_utc, "
-         "due_utc, assigned_by, assigned_utc, ended_utc) VALUES ('x', 1, {who}, '', '', '', '', "
-         "'')",
+         "due_utc, assigned_by, assigned_utc, ended_utc) VALUES ('x', 1, {who}, '', '', 'user "
+         "{me}', '', '')",
          {Action::kAssignCourses}},
         {"INSERT INTO course_grants (account_id, course_id, stage_id, attempts, reason, "
-         "granted_by, granted_utc) VALUES ({who}, 'x', 'x', 9, '', '', '')",
+         "granted_by, granted_utc) VALUES ({who}, 'x', 'x', 9, '', 'user {me}', '')",
          {Action::kAssignCourses}},
         {"INSERT INTO exam_begins (account_id, course_id, course_version, stage_id, task_id, "
          "task_version, seed, proctor, device_certificate, begun_utc) VALUES ({who}, 'x', 1, 'x', "

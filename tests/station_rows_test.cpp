@@ -77,4 +77,92 @@ TEST_P(StationRows, NoPracticeEndsAnExamThatWasBegun) {
     EXPECT_THAT(practice(order.context.begin), HasSubstr(kMayNot));
 }
 
+TEST_P(StationRows, NobodySignsOrUnlocksARecordInAColleaguesName) {
+    const int64_t carl = add("carl", db::Role::kCoordinator),
+                  kate = add("kate", db::Role::kCoordinator);
+    const std::string code = open()->studies().new_participant("pilot");
+    const auto store = station_of("carl");
+    store->records().lock("pilot", code);
+    // Whoever signs gives the password, also where a colleague has signed in.
+    store->records().sign("pilot", code, "kate", kPassword, "read");
+    Pen pen(database, "carl");
+    const auto row = [&](const std::string& event, int64_t by, int64_t name) {
+        return "INSERT INTO record_events (study_id, code, event, remark, checksum, by_login, "
+               "by_name, at_utc) VALUES ('pilot', '" +
+               code + "', '" + event + "', 'x', '', 'user " + std::to_string(by) + "', 'user " +
+               std::to_string(name) + "', '')";
+    };
+    for (const char* event : {"locked", "unlocked"}) {
+        EXPECT_EQ(pen.tried(row(event, carl, carl)), "") << event;
+        EXPECT_THAT(pen.tried(row(event, kate, kate)), HasSubstr(kMayNot)) << event;
+        EXPECT_THAT(pen.tried(row(event, carl, kate)), HasSubstr(kMayNot)) << event;
+    }
+    for (const int64_t who : {carl, kate})
+        EXPECT_THAT(pen.tried(row("signed", who, who)), HasSubstr(kMayNot)) << "no password";
+    const std::string key = pen.person.key_of("kate", kPassword);
+    const std::string proof = Intruder::proof(pen.person.channel(), key);
+    ASSERT_EQ(
+        pen.station.value("SELECT id FROM placode_guard.enter('kate', '" + proof + "', false)"),
+        std::to_string(kate));
+    EXPECT_THAT(pen.tried(row("signed", carl, carl)), HasSubstr(kMayNot)) << "another one's";
+    EXPECT_TRUE(pen.station.run(row("signed", kate, kate))) << pen.station.problem();
+    EXPECT_THAT(pen.tried(row("signed", kate, kate)), HasSubstr(kMayNot)) << "it was for one";
+    // What stands there is only taken out.
+    EXPECT_THAT(pen.tried("UPDATE record_events SET remark = 'approved'"), HasSubstr(kMayNot));
+    EXPECT_THAT(pen.tried("UPDATE record_events SET by_name = 'Kate'"), HasSubstr(kMayNot));
+    EXPECT_EQ(pen.tried("UPDATE record_events SET remark = '', by_name = by_login"), "");
+}
+
+TEST_P(StationRows, WhoGrantsAssignsCorrectsAndWithdrawsSaysSoInTheOwnName) {
+    const int64_t carl = add("carl", db::Role::kCoordinator),
+                  kate = add("kate", db::Role::kCoordinator), eva = add("eva", db::Role::kEducator),
+                  ewa = add("ewa", db::Role::kEducator);
+    const std::string code = open()->studies().new_participant("pilot");
+    const std::string other = open()->studies().new_participant("pilot");
+    db::AnswerRecord answers;
+    answers.study_id = "pilot";
+    answers.participant = other;
+    answers.questionnaire_id = "sus";
+    answers.answers = {{"sus01", "4"}};
+    open()->studies().save_answers(answers);
+    station_of("kate")->studies().withdraw("pilot", code, db::WithdrawalMode::kKeep, "asked");
+    const std::string anna = std::to_string(anna_);
+    struct Row {
+        const char* login;
+        int64_t own, colleague;
+        std::string begin, end;  ///< Of the statement, about the number of the account.
+    };
+    for (const Row& each :
+         {Row{"eva", eva, ewa,
+              "INSERT INTO course_grants (account_id, course_id, stage_id, attempts, reason, "
+              "granted_by, granted_utc) VALUES (" +
+                  anna + ", 'x', 'x', 1, 'x', 'user ",
+              "', '')"},
+          Row{"eva", eva, ewa,
+              "INSERT INTO course_assignments (course_id, course_version, account_id, starts_utc, "
+              "due_utc, assigned_by, assigned_utc, ended_utc) VALUES ('x', 1, " +
+                  anna + ", '', '', 'user ",
+              "', '', '')"},
+          Row{"carl", carl, kate,
+              "INSERT INTO withdrawals (study_id, code, mode, reason, withdrawn_by, "
+              "withdrawn_utc) VALUES ('pilot', '" +
+                  other + "', 'erase', 'x', 'user ",
+              "', '')"},
+          // The row that is there is a colleague's; what it becomes is one's own.
+          Row{"carl", carl, kate, "UPDATE withdrawals SET mode = 'stop', withdrawn_by = 'user ",
+              "'"},
+          Row{"carl", carl, kate,
+              "INSERT INTO answer_corrections (answer_id, entry, item, old_answer, new_answer, "
+              "reason, corrected_by, at_utc) SELECT MAX(id), 1, 'x', '', '', 'x', 'user ",
+              "', '' FROM answers"}}) {
+        Pen pen(database, each.login);
+        EXPECT_EQ(pen.tried(each.begin + std::to_string(each.own) + each.end), "") << each.begin;
+        EXPECT_THAT(pen.tried(each.begin + std::to_string(each.colleague) + each.end),
+                    HasSubstr(kMayNot))
+            << each.begin;
+    }
+    EXPECT_NO_THROW(station_of("carl")->studies().withdraw("pilot", code, db::WithdrawalMode::kStop,
+                                                           "asked again"));
+}
+
 }  // namespace THIS_TEST
