@@ -40,8 +40,10 @@ CourseStanding standing_in(Store& store, int64_t user_id, const AssignmentRecord
         curriculum::next_step(standing.course, standing.progress, task_titles(standing.course),
                               {assignment.starts_utc, assignment.due_utc}, now_utc);
     for (const CertificateRecord& each : store.courses().certificates(user_id))
+        // On a server a row can be added by SQL, with any date.
         if (standing.progress.mastered && each.course_id == standing.course.id &&
-            each.course_version == standing.course.version)
+            each.course_version == standing.course.version &&
+            each.mastered_utc == standing.progress.mastered_utc)
             standing.certificate = each;
     return standing;
 }

@@ -209,10 +209,19 @@ CertificateRecord Courses::save_certificate(int64_t user_id, const std::string& 
         return read_certificate(query);
     };
     lock_exams(connection_, user_id);
-    const std::string now = utc_now();
+    const std::string now = clock_of_store(connection_);
     // Asked also of one that is there: on a server rows can be added by SQL.
     const std::string mastered_utc = mastered_at(context_, user_id, course_id, course_version, now);
-    if (const auto there = find()) return *there;
+    if (const auto there = find()) {
+        if (there->mastered_utc == mastered_utc) return *there;
+        connection_.fail(
+            Kind::kRefused,
+            Said::that("the certificate %1 that is there says that the course was mastered at %2, "
+                       "and the attempts say %3; show this to an administrator")
+                .with(there->code)
+                .with(there->mastered_utc)
+                .with(mastered_utc));
+    }
     // Short enough to be read out, long enough that nobody guesses one.
     const std::string code =
         checksum_hex(std::to_string(user_id) + "\x1f" + course_id + "\x1f" +

@@ -21,7 +21,6 @@ constexpr const char* kCoordinator = "placode_guard.need(4)";
 constexpr const char* kStaff = "placode_guard.need(14)";
 constexpr const char* kNever = "false";
 // With the groups that somebody teaches.
-constexpr const char* kOwnOrTeaches = "placode_guard.need_person(0, 2, account_id, true)";
 constexpr const char* kTeachesTheTarget =
     "CASE WHEN group_id IS NULL THEN placode_guard.need_person(0, 2, account_id, false) ELSE "
     "placode_guard.need_group(0, 2, group_id) END";
@@ -32,6 +31,9 @@ constexpr const char* kGrants =
 constexpr const char* kAssigns =
     "CASE WHEN group_id IS NULL THEN placode_guard.need_person(0, 2, account_id, false) ELSE "
     "placode_guard.need_group(0, 2, group_id) END AND placode_guard.need_own_word(assigned_by)";
+constexpr const char* kCertifies =
+    "placode_guard.need_person(0, 2, account_id, true) AND placode_guard.need_own_word(issued_by) "
+    "AND placode_guard.need_now(issued_utc)";
 constexpr const char* kWithdraws =
     "placode_guard.need(4) AND placode_guard.need_own_word(withdrawn_by)";
 constexpr const char* kCorrects =
@@ -110,7 +112,7 @@ constexpr std::array kRules{
     TableRule{"course_grants", kSeesOwnOrTeaches, kGrants, kAdministrator, kAdministrator},
     TableRule{"exam_begins", kSeesOwnOrTeaches, "placode_guard.need_begin(account_id, begun_utc)",
               kNever, kAdministrator},
-    TableRule{"certificates", kSeesOwnOrTeaches, kOwnOrTeaches, kAdministrator, kAdministrator},
+    TableRule{"certificates", kSeesOwnOrTeaches, kCertifies, kAdministrator, kAdministrator},
     TableRule{"trusted_centres", kWhoIsIn, kTeachesOrAdministers, kAdministrator, kAdministrator},
     TableRule{"centre_key", kWhoIsIn, kTeachesOrAdministers, kTeachesOrAdministers, kAdministrator},
     TableRule{"norm_packs", kWhoIsIn, kEducator, kEducator, kAdministrator},
@@ -161,7 +163,7 @@ constexpr const char* kCalled =
     "'seal_of_account', 'seal_of_pin', 'seal_parts', 'me', 'need', 'version', 'is_in', 'holder', "
     "'has_role', 'is_staff', 'is_demonstration', 'need_person', 'need_group', 'need_save', "
     "'need_part', 'need_erase', 'need_remark', 'need_removal', 'need_rating', 'need_rating_part', "
-    "'need_text', 'need_begin', 'need_own_word', 'need_event', 'need_blank', "
+    "'need_text', 'need_begin', 'need_own_word', 'need_now', 'need_event', 'need_blank', "
     "'any_account', 'account_of', 'named_in', 'has_pin', 'invitation_by', 'owner_of_attempt', "
     "'attempt_with', "
     "'attempt_ending', 'verifies', 'verifies_attempt', 'trail_end', 'trail_chain', 'trail_first', "

@@ -17,6 +17,14 @@ BEGIN
         AND by = 'user ' || placode_guard.me()));
 END $$
 --
+CREATE OR REPLACE FUNCTION placode_guard.need_now(at TEXT) RETURNS BOOLEAN
+LANGUAGE plpgsql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
+BEGIN
+    RETURN placode_guard.insist(placode_guard.trusted() OR CASE WHEN at ~ '^[0-9]{4}-[0-9]{2}-[0-9]{2}[T ][0-9]{2}:'
+        THEN at::TIMESTAMPTZ BETWEEN clock_timestamp() - INTERVAL '1 minute' AND clock_timestamp() + INTERVAL '1 minute'
+        ELSE false END);
+END $$
+--
 CREATE OR REPLACE FUNCTION placode_guard.need_event(what TEXT, by TEXT, as_name TEXT) RETURNS BOOLEAN
 LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
 BEGIN

@@ -493,6 +493,19 @@ TEST_P(ExamBegins, ACertificateThatSqlAddedShowsNowhereBeforeTheCourseIsMastered
     EXPECT_THAT(
         failure_of([&] { (void)store->courses().save_certificate(anna, "short", 1); }).what(),
         HasSubstr("the course is not mastered"));
+    // Nor after, with that date: what is certified is what the attempts say.
+    (void)keep(result_of(begun()));
+    const db::CourseStanding mastered = db::course_standing(*store, anna, "short", db::utc_now());
+    ASSERT_TRUE(mastered.progress.mastered);
+    EXPECT_FALSE(mastered.certificate);
+    const auto issue = [&] { return db::issue_certificate(*store, anna, "short", db::utc_now()); };
+    EXPECT_THAT(failure_of([&] { (void)issue(); }).what(),
+                HasSubstr("the certificate ABCD that is there says that the course was mastered at "
+                          "2026-01-01T00:00:00Z, and the attempts say " +
+                          mastered.progress.mastered_utc));
+    ASSERT_TRUE(raw().run("DELETE FROM certificates"));
+    EXPECT_EQ(issue().mastered_utc, mastered.progress.mastered_utc);
+    EXPECT_EQ(issue().code, store->courses().certificates(anna).at(0).code);
 }
 
 TEST_P(ExamBegins, NoneBeginsAtAComputerThatNobodyVouchedFor) {

@@ -170,7 +170,8 @@ const std::vector<Write>& writes() {
          "'x', 1, '1', '', '', CAST(now() AS TEXT))",
          {Action::kPerformAttempt}},
         {"INSERT INTO certificates (account_id, course_id, course_version, mastered_utc, "
-         "issued_utc, issued_by, code) VALUES ({who}, 'x', 1, '', '', '', 'X')",
+         "issued_utc, issued_by, code) VALUES ({who}, 'x', 1, '', CAST(now() AS TEXT), 'user "
+         "{me}', 'X')",
          {Action::kIssueCertificate}},
         {"UPDATE group_members SET teaches = 1 WHERE account_id = {who} AND group_id = {group}",
          {Action::kManageGroups}},

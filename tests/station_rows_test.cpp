@@ -165,4 +165,22 @@ TEST_P(StationRows, WhoGrantsAssignsCorrectsAndWithdrawsSaysSoInTheOwnName) {
                                                            "asked again"));
 }
 
+// What it certifies is looked up again where it is shown (exam_begins_test); who issued it and when
+// is the server's to say.
+TEST_P(StationRows, ACertificateIsIssuedNowAndByWhoeverHasSignedIn) {
+    const int64_t eva = add("eva", db::Role::kEducator);
+    const auto row = [&](int64_t by, const std::string& at) {
+        return "INSERT INTO certificates (account_id, course_id, course_version, mastered_utc, "
+               "issued_utc, issued_by, code) VALUES (" +
+               std::to_string(anna_) + ", 'short', 1, '2020-01-01T00:00:00Z', '" + at +
+               "', 'user " + std::to_string(by) + "', 'ABCD')";
+    };
+    Pen anna(database, "anna");
+    EXPECT_EQ(anna.tried(row(anna_, db::utc_now())), "");
+    EXPECT_THAT(anna.tried(row(eva, db::utc_now())), HasSubstr(kMayNot));
+    for (const char* at : {"2020-01-01T00:00:00Z", "2099-01-01T00:00:00Z", "", "infinity", "now"})
+        EXPECT_THAT(anna.tried(row(anna_, at)), HasSubstr(kMayNot)) << at;
+    EXPECT_EQ(Pen(database, "eva").tried(row(eva, db::utc_now())), "");
+}
+
 }  // namespace THIS_TEST

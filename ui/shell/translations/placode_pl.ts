@@ -11313,6 +11313,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>kurs nie jest zaliczony</translation>
     </message>
     <message>
+        <source>the certificate %1 that is there says that the course was mastered at %2, and the attempts say %3; show this to an administrator</source>
+        <translation>istniejący certyfikat %1 mówi, że kurs zaliczono %2, a z prób wynika %3; pokaż to administratorowi</translation>
+    </message>
+    <message>
         <source>version %1 of its task is published, and this program has version %2; update Placode</source>
         <translation>opublikowano wersję %1 zadania, a ten program ma wersję %2; zaktualizuj Placode</translation>
     </message>
