@@ -10,6 +10,7 @@
 #include "assessment/loci.h"
 #include "assessment/scoring.h"
 #include "curriculum/task.h"
+#include "tests/generated_attempts.h"
 
 namespace placode::assessment {
 namespace THIS_TEST {
@@ -177,6 +178,34 @@ TEST_P(BitesOfTask, ABadBiteIsNeverWorseThanNone) {
     }
     EXPECT_LE(costs, earned / weights + 1e-9);
 }
+/// A whole row without harm, each bite moved from its marks: so far along the line and across.
+Score score_with(const curriculum::Task& task, double along_m, double out_across_m) {
+    sim::Recording recording = test::AttemptMaker::idle(task);
+    test::AttemptMaker::ask(recording, 1);
+    int bite = -1;
+    for (sim::Event& e : recording.events) {
+        const bool in = e.kind == EventKind::kBiteEntry;
+        if (!in && e.kind != EventKind::kBiteExit) continue;
+        if (in) ++bite;
+        const Vec3 off(in ? 0 : out_across_m, along_m * bite, 0);
+        e.rest_position_m[0] += static_cast<float>(off.x());
+        e.rest_position_m[1] += static_cast<float>(off.y());
+        e.value2 = static_cast<float>(std::max(static_cast<double>(e.value2), off.norm()));
+    }
+    return score_attempt(task.rubric, compute_metrics(recording), recording);
+}
+
+// Entry and exit count wherever they are, so that a hand may go on; what lies where another bite
+// belongs, or does not cross the line, is no row.
+TEST(Bites, ThreeBitesThroughOnePlaceAreNoRow) {
+    const curriculum::Task task = curriculum::load_task("suture_run");
+    EXPECT_EQ(score_with(task, 0, 0).verdict, Verdict::kPassed);
+    EXPECT_EQ(score_with(task, 0.9e-3, 0).verdict, Verdict::kPassed) << "badly, but a row";
+    EXPECT_EQ(score_with(task, -kPitchM, 0).verdict, Verdict::kFailed) << "all through the first";
+    EXPECT_EQ(score_with(task, 0, 2 * kHalfM - 1e-3).verdict, Verdict::kFailed)
+        << "nips of 1 mm on one side of the line";
+}
+
 INSTANTIATE_TEST_SUITE_P(Rows, BitesOfTask, ::testing::Values("suture_run", "suture_slit"));
 
 }  // namespace THIS_TEST
