@@ -9,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/ledger/ledger.h"
 #include "tests/box_scene.h"
 
 namespace placode::sim {
@@ -251,13 +252,24 @@ struct Tugs {
             for (int e = 0; e < state.event_count; ++e)
                 if (state.events[e].kind == EventKind::kOverTraction)
                     pulls.push_back(state.events[e]);
+                else if (state.events[e].kind == EventKind::kSlipped)
+                    slips.push_back(state.events[e]);
         }
+    }
+    /// A frame in which the tissue slides by so much and the jaws go to a share of the angle at
+    /// which they met it.
+    void slide(double way_m, double share) {
+        Grasp& g = state.grasps[0];
+        if (way_m > 0) g.slip_pause_s = 0;
+        g.slip_m += static_cast<float>(way_m);
+        state.tools[0].jaw_rad = static_cast<float>(share) * g.meet_rad;
+        pull(1, 0.5);
     }
 
     Scene scene;
     State state;
     double limit_n = 0;
-    std::vector<Event> pulls;
+    std::vector<Event> pulls, slips;
 };
 
 TEST(Grasp, TugsThatFollowEachOtherAtOnceAreOnePull) {
@@ -286,6 +298,36 @@ TEST(Grasp, AShortPullCostsNothingNorDoesOneAfterAPause) {
     tugs.pull(350, 1.5);
     tugs.pull(400, 0.5);
     EXPECT_EQ(tugs.pulls.size(), 1U);
+}
+
+TEST(Grasp, WhatSlidBeforeTheJawsOpenIsASlip) {
+    Tugs tugs;
+    for (int i = 0; i < 20; ++i) tugs.slide(1e-4, 0.5);
+    EXPECT_TRUE(tugs.slips.empty()) << "it is not over";
+    tugs.slide(0, 2);
+    ASSERT_EQ(tugs.state.grasps[0].count, 0);
+    ASSERT_EQ(tugs.slips.size(), 1U);
+    EXPECT_NEAR(tugs.slips[0].value, 2e-3, 1e-7);
+}
+
+TEST(Grasp, WhatSlidesOnlyWhileTheJawsOpenIsLetGo) {
+    Tugs tugs;
+    tugs.slide(0, 0.5);
+    for (int i = 1; i <= 10; ++i) tugs.slide(1e-4, 0.5 + 0.1 * i);
+    ASSERT_EQ(tugs.state.grasps[0].count, 0);
+    EXPECT_TRUE(tugs.slips.empty());
+}
+
+TEST(Grasp, ASlipThatTheAttemptsEndMeetsIsEntered) {
+    Tugs tugs;
+    tugs.slide(2e-4, 0.5);
+    EXPECT_TRUE(open_spells(tugs.scene, tugs.state).empty()) << "settles between the jaws";
+    for (int i = 0; i < 20; ++i) tugs.slide(1e-4, 0.5);
+    tugs.slide(1e-4, 0.6);
+    const std::vector<Event> open = open_spells(tugs.scene, tugs.state);
+    ASSERT_EQ(open.size(), 1U);
+    EXPECT_EQ(open[0].kind, EventKind::kSlipped);
+    EXPECT_NEAR(open[0].value, 2.2e-3, 1e-7) << "the jaws have begun to open";
 }
 
 TEST(Grasp, OverStretchedTissueTearsAndNamesTheGrasper) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "count_allocations.h"
+#include "sim/ledger/ledger.h"
 #include "sim/step/needle_jaws.h"
 #include "sim/world/saved_state.h"
 #include "sim/world/scratch.h"
@@ -337,6 +338,22 @@ TEST(Suturing, SlipInTheJawsIsOneEvent) {
     const Event* turned = stitch.find(EventKind::kNeedleTurned);
     ASSERT_NE(turned, nullptr);
     EXPECT_GE(turned->value2, 0.3 * 0.15 * 2e-3 * 0.99) << "mu N w";
+}
+
+// Whoever ends the attempt while the needle slips has let it slip all the same.
+TEST(Suturing, SlipThatTheAttemptsEndMeetsIsEntered) {
+    Stitch stitch;
+    stitch.rest(2);
+    EXPECT_TRUE(open_spells(stitch.scene, stitch.state).empty());
+    stitch.state.suturing.slide = {0.2F, 7, 0.05F};
+    stitch.state.suturing.turn = {0.3F, 0.007F, 0};
+    const std::vector<Event> open = open_spells(stitch.scene, stitch.state);
+    ASSERT_EQ(open.size(), 2U);
+    EXPECT_EQ(open[0].kind, EventKind::kNeedleSlipped);
+    EXPECT_EQ(open[1].kind, EventKind::kNeedleTurned);
+    EXPECT_EQ(open[1].tool, 0);
+    EXPECT_EQ(open[1].value, 0.3F);
+    EXPECT_EQ(open[1].value2, 0.007F);
 }
 
 /// A bite with thread, somewhere in its middle.

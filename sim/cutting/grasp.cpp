@@ -139,15 +139,18 @@ Vec3 needle_pull_on(const Scene& scene, State& state, int v) noexcept {
                           v);
 }
 
+std::optional<Event> slip_event(const State& state, int t, float way_m) noexcept {
+    if (!(way_m > kSlipNotice)) return std::nullopt;
+    Event e = grasp_event(state, EventKind::kSlipped, t);
+    e.value = way_m;
+    e.value2 = state.grasps[t].slip_peak_n;
+    return e;
+}
+
 void end_slip(State& state, int t) noexcept {
     Grasp& g = state.grasps[t];
-    if (g.slip_m > kSlipNotice) {
-        Event e = grasp_event(state, EventKind::kSlipped, t);
-        e.value = g.slip_m;
-        e.value2 = g.slip_peak_n;
-        add_event(state, e);
-    }
-    g.slip_m = g.slip_peak_n = g.slip_pause_s = 0;
+    if (const auto slipped = slip_event(state, t, g.slip_m)) add_event(state, *slipped);
+    g.slip_m = g.slip_shut_m = g.slip_peak_n = g.slip_pause_s = 0;
 }
 
 void end_traction(State& state, int t) noexcept {
@@ -253,6 +256,10 @@ void slip(const Scene& scene, State& state, int t, const Vec3& force, double sti
 
 }  // namespace
 
+std::optional<Event> open_slip(const State& state, int t) noexcept {
+    return slip_event(state, t, state.grasps[t].slip_shut_m);
+}
+
 std::optional<Event> open_traction(const State& state, int t) noexcept {
     const Grasp& g = state.grasps[t];
     if (g.traction_s < kTractionS) return std::nullopt;
@@ -323,9 +330,10 @@ void update_grasps(const Scene& scene, State& state, double dt) noexcept {
         const ToolState& tool = state.tools[t];
         const auto meet = static_cast<float>(grip_angle(spec));
         const float jaw = std::isfinite(tool.jaw_rad) ? std::max(0.0f, tool.jaw_rad) : g.jaw_rad;
+        if (jaw <= g.jaw_rad) g.slip_shut_m = g.slip_m;
         if (g.count > 0 && (!tool.engaged || jaw > kLetGo * g.meet_rad)) {
             // What slides while the jaws open is let go, not lost.
-            if (g.slip_pause_s < kSlipEnds) g.slip_m = 0;
+            g.slip_m = g.slip_shut_m;
             end_grasp(scene, state, t);
         } else if (g.grasped > 0 && g.count == 0 && g.held_s > 0) {
             end_grasp(scene, state, t);  // all of it slipped out, or died

@@ -32,6 +32,9 @@ void feel_grasped(const Scene& scene, State& state) noexcept;
 /// End of a frame of `dt` seconds: closes, opens, crushes, and writes what happened.
 void update_grasps(const Scene& scene, State& state, double dt) noexcept;
 
+/// The entry for a slip that is not over: what slid before the jaws began to open.
+[[nodiscard]] std::optional<Event> open_slip(const State& state, int t) noexcept;
+
 /// The entry for a pull above the tissue's limit that is not over, long enough to count. Its time
 /// is the last moment above the limit.
 [[nodiscard]] std::optional<Event> open_traction(const State& state, int t) noexcept;

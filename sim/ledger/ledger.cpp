@@ -202,6 +202,16 @@ void ledger_body(const Scene& scene, State& state) noexcept {
     }
 }
 
+/// A needle that slides or turns in its jaws.
+void open_jaw_slips(const State& state, std::vector<Event>& events) {
+    const Suturing& s = state.suturing;
+    const auto add = [&](const JawSlip& slip, EventKind kind) {
+        if (slip.s > 0) events.push_back(driver_event(state, kind, s.driver, slip.s, slip.peak));
+    };
+    add(s.slide, EventKind::kNeedleSlipped);
+    add(s.turn, EventKind::kNeedleTurned);
+}
+
 /// Says what this ledger has, also where that is nothing: sums of over-stretch, tissue taken out.
 void begin_ledger(const Scene& scene, State& state) noexcept {
     Event e;
@@ -224,7 +234,9 @@ std::vector<Event> open_spells(const Scene& scene, const State& state) {
         if (spell.contact_s > 0) events.push_back(contact_event(state, t));
         if (spell.over_force_s >= kOverForceS) events.push_back(over_force_event(state, t));
         if (const auto pull = open_traction(state, t)) events.push_back(*pull);
+        if (const auto slip = open_slip(state, t)) events.push_back(*slip);
     }
+    open_jaw_slips(state, events);
     return events;
 }
 

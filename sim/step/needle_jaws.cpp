@@ -22,19 +22,6 @@ constexpr float kLetGo = 1.25F;     // opening at which jaws let go, in that at 
 constexpr double kCentring = 0.05;  // of its way to the jaws' middle that the wire goes in a frame
 constexpr float kSlipEnds = 0.1F;   // without slipping this long, the slip is over [s]
 
-Event driver_event(const State& state, EventKind kind, int tool, float value,
-                   float value2) noexcept {
-    Event e;
-    e.time_s = state.time_s;
-    e.kind = kind;
-    e.tool = static_cast<int8_t>(tool);
-    e.value = value;
-    e.value2 = value2;
-    // Not on the tissue: where the jaws are.
-    if (tool >= 0) set_rest_position(e, state.tools[as_index(tool)].proxy.p);
-    return e;
-}
-
 void end_jaw_slip(State& state, JawSlip& slip, EventKind kind) noexcept {
     if (slip.s > 0)
         add_event(state, driver_event(state, kind, state.suturing.driver, slip.s, slip.peak));

@@ -34,6 +34,7 @@ struct Grasp {
     float area_m2 = 0;             ///< Bitten area.
     float held_s = 0, peak_n = 0;  ///< Since the grasp; peak of the traction.
     float slip_m = 0;              ///< Way slipped in the current slip.
+    float slip_shut_m = 0;         ///< The same, when the jaws last did not open.
     float slip_pause_s = 0;        ///< Until a slip counts as ended.
     float slip_peak_n = 0;
     float traction_s = 0, traction_peak_n = 0;  ///< Current spell above the tissue's limit.
@@ -48,11 +49,11 @@ struct Grasp {
 template <class Visit>
 void fields(Of<Grasp> auto& s, Visit&& visit) {
     auto& [held, count, grasped, jaw_rad, meet_rad, pinch_n, area_m2, held_s, peak_n, slip_m,
-           slip_pause_s, slip_peak_n, traction_s, traction_peak_n, traction_pause_s, tissue, shut,
-           crushed, force_n, rest_m, tet] = s;
+           slip_shut_m, slip_pause_s, slip_peak_n, traction_s, traction_peak_n, traction_pause_s,
+           tissue, shut, crushed, force_n, rest_m, tet] = s;
     visit.state(held, count, grasped, jaw_rad, meet_rad, pinch_n, area_m2, held_s, peak_n, slip_m,
-                slip_pause_s, slip_peak_n, traction_s, traction_peak_n, traction_pause_s, tissue,
-                shut, crushed, force_n, rest_m, tet);
+                slip_shut_m, slip_pause_s, slip_peak_n, traction_s, traction_peak_n,
+                traction_pause_s, tissue, shut, crushed, force_n, rest_m, tet);
 }
 
 }  // namespace placode::sim

@@ -92,16 +92,16 @@ void hash_tool(Hash& hash, const ToolState& tool, const ToolLedger& spells) noex
 
 void hash_grasp(Hash& hash, const Grasp& grasp) noexcept {
     const auto& [held, count, grasped, jaw_rad, meet_rad, pinch_n, area_m2, held_s, peak_n, slip_m,
-                 slip_pause_s, slip_peak_n, traction_s, traction_peak_n, traction_pause_s, tissue,
-                 shut, crushed, force_n, rest_m, tet] = grasp;
+                 slip_shut_m, slip_pause_s, slip_peak_n, traction_s, traction_peak_n,
+                 traction_pause_s, tissue, shut, crushed, force_n, rest_m, tet] = grasp;
     hash.add(count);
     for (int i = 0; i < count; ++i) {
         const auto& [vertex, at_T] = held[i];
         hash.each(vertex, at_T);
     }
     hash.each(jaw_rad, meet_rad, pinch_n, held_s, peak_n, slip_m, slip_pause_s, traction_s, shut);
-    hash.without(grasped, area_m2, slip_peak_n, traction_peak_n, traction_pause_s, tissue, crushed,
-                 force_n, rest_m, tet);
+    hash.without(grasped, area_m2, slip_shut_m, slip_peak_n, traction_peak_n, traction_pause_s,
+                 tissue, crushed, force_n, rest_m, tet);
 }
 
 void hash_scissors(Hash& hash, const Scissors& blades) noexcept {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/world/suturing_state.h"
 
+#include "sim/core/as_index.h"
+#include "sim/world/add_event.h"
 #include "sim/world/scene.h"
 #include "sim/world/state.h"
 
@@ -22,6 +24,18 @@ NeedlePull needle_pull(const Scene& scene, const State& state, int tool) noexcep
                       needle.thread.channel_count == 0;
     if (open) return {};
     return {-needle.hold.force_n, scene.suture->spec().jaws.pull_n_m};
+}
+
+Event driver_event(const State& state, EventKind kind, int tool, float value,
+                   float value2) noexcept {
+    Event e;
+    e.time_s = state.time_s;
+    e.kind = kind;
+    e.tool = static_cast<int8_t>(tool);
+    e.value = value;
+    e.value2 = value2;
+    if (tool >= 0) set_rest_position(e, state.tools[as_index(tool)].proxy.p);
+    return e;
 }
 
 }  // namespace placode::sim

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <vector>
+#include "sim/core/event.h"
 #include "sim/core/fields.h"
 #include "sim/suture/suture.h"
 
@@ -55,5 +56,10 @@ struct NeedlePull {
     double stiffness_n_m = 0;
 };
 [[nodiscard]] NeedlePull needle_pull(const Scene& scene, const State& state, int tool) noexcept;
+
+/// Event of a needle in the jaws of a tool, -1 = of none: not on the tissue, but where the jaws
+/// are.
+[[nodiscard]] Event driver_event(const State& state, EventKind kind, int tool, float value,
+                                 float value2) noexcept;
 
 }  // namespace placode::sim
