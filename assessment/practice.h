@@ -65,6 +65,7 @@ struct PracticeSight {
     std::array<bool, sim::kMaxTools> engaged{};
     NeedleSight needle{};
     double slit_gap_m = -1;             ///< Between the step's marks; -1 where there is no slit.
+    double thread_pull_n = 0;           ///< Of the thread on a needle that jaws hold.
     const PatchSight* patch = nullptr;  ///< nullptr where there is none.
     const WashSight* wash = nullptr;    ///< Likewise.
     const UndermineSight* undermine = nullptr;

@@ -65,9 +65,8 @@ bool PracticeTracker::did(const PracticeSight& sight) noexcept {
             done = did_bite(sight, index);
             break;
         case PracticeKind::kThreadDraw:
-            done = did_draw(sight.slit_gap_m, std::hypot(static_cast<double>(tool.force_n[0]),
-                                                         static_cast<double>(tool.force_n[1]),
-                                                         static_cast<double>(tool.force_n[2])));
+            // Not the driver's force, which may press the edges together beside the thread.
+            done = did_draw(sight.slit_gap_m, sight.thread_pull_n);
             break;
         case PracticeKind::kPatchTake:
         case PracticeKind::kPatchLay:

@@ -186,8 +186,9 @@ std::span<const sim::Event> PracticeGuide::see(const sim::State& state,
         sample,  {goal_.target_m.data(), static_cast<size_t>(goal_.targets)},
         {},      {},
         {},      {},
-        -1,      nullptr,
-        nullptr, nullptr};
+        -1,      0,
+        nullptr, nullptr,
+        nullptr};
     assessment::UndermineSight undermine;
     if (scene_->plane.present()) {
         undermine = look_at_undermining(*scene_, state);
@@ -209,6 +210,8 @@ std::span<const sim::Event> PracticeGuide::see(const sim::State& state,
     look_at_needle(state, sight.needle);
     const int station = tracker_->done() ? -1 : station_[static_cast<size_t>(goal_.index)];
     if (station >= 0) sight.slit_gap_m = sim::narrowest_gap(*scene_, state, station);
+    if (!state.suturing.needle.empty() && state.suturing.driver >= 0)
+        sight.thread_pull_n = state.suturing.needle[0].thread.ends[1].force_n.norm();
     const std::span<const sim::Event> events = tracker_->see(sight);
     look(state);
     return events;

@@ -47,7 +47,8 @@ class Attempt {
     void see(int samples = 1) {
         for (int i = 0; i < samples; ++i) {
             sample_.time_s += 0.01;
-            PracticeSight sight{sample_, targets, holds, pull_n, {true, true}, needle, slit_gap_m};
+            PracticeSight sight{sample_,      targets, holds,      pull_n,
+                                {true, true}, needle,  slit_gap_m, thread_pull_n};
             for (const sim::Event& e : tracker_.see(sight)) recording.events.push_back(e);
         }
     }
@@ -64,6 +65,7 @@ class Attempt {
     std::array<double, sim::kMaxTools> pull_n{};
     NeedleSight needle;
     double slit_gap_m = -1;
+    double thread_pull_n = 0;
     sim::Recording recording;
 
  private:
@@ -469,11 +471,11 @@ TEST(Practice, ThreadIsDrawnAsHardAsTheStepWants) {
     attempt.see();
     EXPECT_NEAR(attempt.tracker().progress(), 0.25, 1e-6) << "half of it is to shut the slit";
     attempt.slit_gap_m = 0;
-    attempt.tool(0).force_n = {0, 0.03F, 0.04F};
+    attempt.thread_pull_n = 0.05;
     attempt.see(50);
     EXPECT_FALSE(attempt.tracker().done()) << "pressed together, not drawn";
     EXPECT_NEAR(attempt.tracker().progress(), 0.75, 1e-6);
-    attempt.tool(0).force_n = {0, 0.06F, 0.0801F};
+    attempt.thread_pull_n = 0.1001;
     attempt.slit_gap_m = 0.0003;
     attempt.see(50);
     EXPECT_FALSE(attempt.tracker().done()) << "drawn, not shut";
@@ -496,21 +498,21 @@ TEST(Practice, WhoEasesOffAfterAFairPullHasDrawnTheThreadAndIsToldHowHard) {
     attempt.slit_gap_m = 0.001;
     attempt.see();
     attempt.slit_gap_m = 0.0001;
-    attempt.tool(0).force_n = {0, 0.06F, 0};
+    attempt.thread_pull_n = 0.06;
     attempt.see(20);
-    attempt.tool(0).force_n = {0, 0.01F, 0};
+    attempt.thread_pull_n = 0.01;
     attempt.see(5);
     EXPECT_EQ(attempt.tracker().index(), 0) << "a jerk is no pull";
-    attempt.tool(0).force_n = {0, 0.07F, 0};
+    attempt.thread_pull_n = 0.07;
     attempt.see(200);
     EXPECT_EQ(attempt.tracker().index(), 0) << "it goes on as long as the hand pulls";
-    attempt.tool(0).force_n = {0, 0.03F, 0};
+    attempt.thread_pull_n = 0.03;
     attempt.see(5);
     EXPECT_EQ(attempt.tracker().index(), 0) << "a hand that trembles has not let go";
-    attempt.tool(0).force_n = {0, 0.019F, 0};
+    attempt.thread_pull_n = 0.019;
     attempt.see();
     EXPECT_EQ(attempt.tracker().index(), 1);
-    attempt.tool(0).force_n = {0, 0.15F, 0};
+    attempt.thread_pull_n = 0.15;
     attempt.see(32);
     EXPECT_EQ(attempt.tracker().index(), 2) << "as hard as is aimed at: nothing to wait for";
     EXPECT_NEAR(*attempt.metrics().find("draw_pull_least_mn"), 70, 1e-3);
@@ -520,7 +522,7 @@ TEST(Practice, WhoEasesOffAfterAFairPullHasDrawnTheThreadAndIsToldHowHard) {
 
     attempt.slit_gap_m = 0.001;  // pulled hard, and open: that shuts nothing
     attempt.see(50);
-    attempt.tool(0).force_n = {0, 0, 0};
+    attempt.thread_pull_n = 0;
     attempt.see(50);
     EXPECT_EQ(attempt.tracker().index(), 2);
 }
@@ -530,17 +532,31 @@ TEST(Practice, ADrawWithoutAChoiceTellsNothingNew) {
     Attempt attempt(
         {{.kind = PracticeKind::kThreadDraw, .hold_s = 0.3, .tolerance_m = 0.0002, .low_n = 0.1}});
     attempt.slit_gap_m = 0;
-    attempt.tool(0).force_n = {0, 0.09F, 0};
+    attempt.thread_pull_n = 0.09;
     attempt.see(50);
-    attempt.tool(0).force_n = {0, 0, 0};
+    attempt.thread_pull_n = 0;
     attempt.see(50);
     EXPECT_FALSE(attempt.tracker().done());
-    attempt.tool(0).force_n = {0, 0.11F, 0};
+    attempt.thread_pull_n = 0.11;
     attempt.see(32);
     EXPECT_TRUE(attempt.tracker().done());
     for (const sim::Event& e : attempt.recording.events)
         EXPECT_NE(e.kind, sim::EventKind::kThreadDrawn);
     EXPECT_FALSE(attempt.metrics().find("draw_pull_least_mn"));
+}
+
+TEST(Practice, ForceOfTheDriverBesideTheThreadDrawsNothing) {
+    Attempt attempt({drawn_by_choice()});
+    attempt.slit_gap_m = 0.0001;
+    attempt.tool(0).force_n = {0, 0, 0.15F};
+    attempt.see(50);
+    EXPECT_FALSE(attempt.tracker().done()) << "pressed together beside the slit";
+    attempt.tool(0).force_n = {0, 0, 0};
+    attempt.see(50);
+    EXPECT_FALSE(attempt.tracker().done()) << "nor was that a pull to ease off from";
+    attempt.thread_pull_n = 0.15;
+    attempt.see(32);
+    EXPECT_TRUE(attempt.tracker().done());
 }
 
 TEST(Practice, ABiteIsMeasuredFromItsMarksAndMayBeginAnew) {
