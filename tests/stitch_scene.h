@@ -19,6 +19,7 @@ struct StitchOptions {
     double thread_m = 0;
     double youngs_modulus_pa = 200e3;  ///< Fits the puncture: docs/suture.md.
     int threads = 1;
+    Tissue tissue = Tissue::kSkin;  ///< Of the block.
     bool lies = false;              ///< The needle, on its side over the block.
     std::optional<ToolSpec> other;  ///< Second instrument.
     Vec3 gravity = Vec3::Zero();
@@ -75,6 +76,7 @@ inline Scene stitch_scene(const StitchOptions& options, const Pose& X_WN) {
     BoxOptions box;
     box.size_m = Vec3(0.010, 0.004, 0.003);
     box.cells = {25, 10, 8};
+    box.tissue = options.tissue;
     box.material.youngs_modulus_pa = options.youngs_modulus_pa;
     box.material.fail_stretch = box.material.injury_stretch = 100;
     box.heat = false;

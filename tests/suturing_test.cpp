@@ -90,6 +90,32 @@ TEST(Suturing, ABiteHasTwoPeaksThatTheDriverFeelsAndLeavesPassages) {
     EXPECT_EQ(stitch.state.tools[0].in_contact, 0) << "the driver itself touches nothing";
 }
 
+// The driver keeps off it all the while: it is the needle that touches.
+TEST(Suturing, ThePointOnThePlacodeIsAContactOfTheDriver) {
+    for (const Tissue tissue : {Tissue::kSkin, Tissue::kPlacode}) {
+        StitchOptions options;
+        options.tissue = tissue;
+        Stitch stitch(options);
+        double felt = 0;
+        // At a sine of 0.75 to the surface: 0.2 mm deep, from 0.05 mm above it.
+        stitch.drive(0.35e-3, 5e-3, [&] {
+            felt = std::max(felt, static_cast<double>(stitch.state.suturing.point_n));
+        });
+        stitch.rest(100);
+        stitch.drive(-1e-3);
+        stitch.rest(100);
+        ASSERT_EQ(stitch.find(EventKind::kNeedleEntered), nullptr);
+        ASSERT_GT(felt, stitch.scene.contact.placode_warn_force_n);
+        EXPECT_EQ(stitch.state.tools[0].in_contact, 0);
+        const Event* contact = stitch.find(EventKind::kPlacodeContact);
+        ASSERT_EQ(contact != nullptr, tissue == Tissue::kPlacode);
+        if (contact == nullptr) continue;
+        EXPECT_EQ(contact->tool, 0);
+        EXPECT_GT(contact->value, 0.1F) << "seconds";
+        EXPECT_NEAR(contact->value2, felt, 0.1 * felt);
+    }
+}
+
 // What the hand pushes through driver and needle is what the bottom carries; the haptic device gets
 // it as its spring to the driver's place.
 TEST(Suturing, DriverBottomAndHandCarryTheSame) {

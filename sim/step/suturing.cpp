@@ -67,6 +67,10 @@ void finish_suture_substep(const Scene& scene, State& state, double h_s) noexcep
     const Vec3 pull = -s.needle[0].hold.force_n / state.substeps;
     tool.force_n += pull;
     tool.needle_n += pull;
+    // Whoever pricks the placode touches it. Of a point that is free this is the force it had.
+    const NeedlePoint& point = s.needle[0].point;
+    if (point.mode != PointMode::kFree && point.tissue == Tissue::kPlacode)
+        tool.placode_force_n += report.point_force_n / state.substeps;
     tool.stiffness_n_m += needle_pull(scene, state, s.driver).stiffness_n_m / state.substeps;
 }
 
