@@ -8,6 +8,7 @@
 
 #include "curriculum/undermine_watch.h"
 #include "sim/contact/slit_gap.h"
+#include "sim/step/tip_gap.h"
 
 namespace placode::curriculum {
 
@@ -182,8 +183,14 @@ std::span<const sim::Event> PracticeGuide::see(const sim::State& state,
                                                const sim::Sample& sample) noexcept {
     if (!tracker_) return {};
     look(state);
+    // A sample measures the way to the tissue up to 3 mm.
+    sim::Sample far = sample;
+    if (!tracker_->done() && goal_.step.kind == sim::PracticeKind::kWithdraw)
+        for (size_t i = 0; i < inputs.size(); ++i)
+            far.tools[i].tip_gap_m =
+                static_cast<float>(sim::tip_gap(state, static_cast<int>(i), goal_.step.distance_m));
     assessment::PracticeSight sight{
-        sample,  {goal_.target_m.data(), static_cast<size_t>(goal_.targets)},
+        far,     {goal_.target_m.data(), static_cast<size_t>(goal_.targets)},
         {},      {},
         {},      {},
         -1,      0,

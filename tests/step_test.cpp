@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/step/snapshot.h"
+#include "sim/step/tip_gap.h"
 #include "tests/box_scene.h"
 #include "tests/instruction_sets.h"
 
@@ -195,6 +196,21 @@ TEST(Step, SettlingLeavesTheTissueAtRest) {
     }
     // Sag of 2 mm of tissue at 10 kPa: rho g L^2 / 2E = 2 um; what is left is below 2 % of that.
     EXPECT_LT(moved, 4e-8);
+}
+
+// In a frame up to 3 mm; for a step that asks for more as far as is asked.
+TEST(Step, ATipIsAsFarFromTheTissueAsItIs) {
+    BoxOptions options = small_box();
+    options.heat = false;
+    const Scene scene = test::box_scene(options);
+    for (const double above_m : {0.002, 0.004, 0.009}) {
+        State state(scene, 1);
+        ToolFeedback feedback;
+        frame(scene, state, upright(Vec3(0, 0, above_m)), feedback);
+        EXPECT_NEAR(state.tools[0].tip_gap_m, above_m < 0.003 ? above_m : 1, 1e-6);
+        EXPECT_NEAR(tip_gap(state, 0, 0.010), above_m, 1e-6);
+        EXPECT_EQ(tip_gap(state, 0, above_m - 1e-4), 1) << "further than is asked";
+    }
 }
 
 TEST(Step, TheSnapshotShowsTheStateAndReusesItsMemory) {

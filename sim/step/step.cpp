@@ -22,26 +22,23 @@
 #include "sim/cutting/separation.h"
 #include "sim/fluid/irrigation.h"
 #include "sim/ledger/ledger.h"
-#include "sim/mesh/box_distance.h"
 #include "sim/solver/restore_rest_shape.h"
 #include "sim/step/sleep_and_wake.h"
 #include "sim/step/suturing.h"
+#include "sim/step/tip_gap.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
 
 namespace placode::sim {
 namespace {
 
-constexpr int kLooseInterval = 128;      // frames between two searches for loose tissue
-constexpr int kRestoreInterval = 256;    // frames between two searches for collapsed tissue
-constexpr double kTipSearch = 0.003;     // the tip's gap is measured up to here [m]
-constexpr double kHintSlack = 1 + 1e-9;  // of a distance squared that was found before
-constexpr double kFrameMotion = 0.0005;  // of the tissue in a frame [m]
-constexpr float kSettleDamping = 0.9f;   // of the velocity per substep while settling
-constexpr double kEmbedded = 3e-5;       // deeper than any overlap of mere touch [m]
-constexpr double kThrough = 1.5;         // deeper than this, in radii of the tip, it is through
-constexpr double kShareRecovery = 0.2;   // seconds until the whole contact force is back
-constexpr float kTouchForce = 1e-5f;     // less is rounding, not a touch [N]
+constexpr int kLooseInterval = 128;     // frames between two searches for loose tissue
+constexpr int kRestoreInterval = 256;   // frames between two searches for collapsed tissue
+constexpr float kSettleDamping = 0.9f;  // of the velocity per substep while settling
+constexpr double kEmbedded = 3e-5;      // deeper than any overlap of mere touch [m]
+constexpr double kThrough = 1.5;        // deeper than this, in radii of the tip, it is through
+constexpr double kShareRecovery = 0.2;  // seconds until the whole contact force is back
+constexpr float kTouchForce = 1e-5f;    // less is rounding, not a touch [N]
 
 int64_t now_ns() noexcept {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -81,68 +78,6 @@ void take_inputs(const Scene& scene, State& state, std::span<const ToolInput> in
         from[t] = tool.hand;
         to[t] = engaged ? hand : tool.hand;
         tool.hand = to[t];
-    }
-}
-
-/// Square of the distance of a triangle of the surface to `p` [m^2], and the weights of the point
-/// that is next to it.
-double distance2_of(const State& state, int triangle, const Vec3& p, Vec3& weight) noexcept {
-    Triangle tri;
-    for (int k = 0; k < 3; ++k)
-        tri[k] = position(state.body, state.surface.triangles()[triangle].vertex[k]);
-    weight = closest_on_triangle(p, tri);
-    return (p - weight.x() * tri[0] - weight.y() * tri[1] - weight.z() * tri[2]).squaredNorm();
-}
-
-/// Signed distance of the tip to the surface, for display and metrics; and what lies next to it.
-void measure_tips(const Scene& scene, State& state) noexcept {
-    const auto triangles = state.surface.triangles();
-    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
-        ToolState& tool = state.tools[t];
-        const double radius = state.scratch->contacts.shapes[t].parts[0].near_radius_m;
-        const Vec3 centre = tool.proxy * Vec3(0, 0, -radius);
-        double best = (kTipSearch + radius) * (kTipSearch + radius);
-        int nearest = -1;
-        Vec3 weight = Vec3::Zero();
-        // No triangle is nearer than the nearest: that of the last frame, or what has its number
-        // now, leaves most of the tree out from the start. A little more, for it counts as well.
-        int32_t& hint = state.scratch->tip_triangle[t];
-        if (hint >= 0 && hint < std::ssize(triangles))
-            best = std::min(best, kHintSlack * distance2_of(state, hint, centre, weight) + 1e-18);
-        state.surface.tree().walk(
-            [&](const SurfaceTree::Box& box) noexcept {
-                // The boxes are those of the start of this frame or of the one before, see
-                // collect_candidates(); the tissue has moved a little since.
-                return squared_distance(box, centre, 2 * kFrameMotion) >= best;
-            },
-            [&](int i) noexcept {
-                Vec3 w;
-                const double d2 = distance2_of(state, i, centre, w);
-                if (!(d2 < best)) return;
-                best = d2;
-                nearest = i;
-                weight = w;
-            });
-        hint = nearest;
-        tool.tip_gap_m = 1;
-        if (nearest < 0) continue;
-        const SurfaceTriangle& tri = triangles[nearest];
-        const Vec3 pa = position(state.body, tri.vertex[0]),
-                   pb = position(state.body, tri.vertex[1]),
-                   pe = position(state.body, tri.vertex[2]);
-        const Vec3 at = weight.x() * pa + weight.y() * pb + weight.z() * pe;
-        const bool inside = (pb - pa).cross(pe - pa).dot(centre - at) < 0;
-        tool.tip_gap_m = (inside ? -std::sqrt(best) : std::sqrt(best)) - radius;
-        if (tool.bare_gap_m >= 1) {
-            tool.touched = tri.tissue;
-            tool.spot = at;
-            tool.spot_tet = tri.tet;
-            tool.rest_spot = Vec3::Zero();
-            for (int k = 0; k < 3; ++k) {
-                tool.rest_spot +=
-                    weight[k] * scene.body.mesh().rest[origin_of(state.body, tri.vertex[k])];
-            }
-        }
     }
 }
 
