@@ -15,10 +15,27 @@ using sim::Event;
 using sim::EventKind;
 using sim::Vec3;
 
+/// What the point has done since it last opened a surface; of a slit this may be a wall, which is
+/// no entry of a bite.
+struct Prick {
+    double angle_rad = 0, depth_m = 0;
+
+    void note(const Event& e) {
+        if (e.kind == EventKind::kNeedleEntered)
+            *this = {std::asin(std::clamp(static_cast<double>(e.value2), 0.0, 1.0)), 0};
+        else if (e.kind == EventKind::kNeedleLeft)
+            depth_m = std::max(depth_m, static_cast<double>(e.value2));
+    }
+};
+
 /// What an event says of the bite that is being done.
-void note(const Event& e, Bite& bite) {
+void note(const Event& e, const Prick& prick, Bite& bite) {
     switch (e.kind) {
-        case EventKind::kBiteEntry:
+        case EventKind::kBiteEntry:  // told after the needle's own events
+            if (!bite.left) {
+                bite.angle_rad = prick.angle_rad;
+                bite.depth_m = prick.depth_m;
+            }
             bite.entered = true;
             bite.entered_s = e.time_s;
             bite.entry_m = rest_place(e);
@@ -30,15 +47,13 @@ void note(const Event& e, Bite& bite) {
             bite.exit_m = rest_place(e);
             bite.exit_offset_m = static_cast<double>(e.value2);
             break;
-        case EventKind::kNeedleEntered:
-            if (!bite.left)
-                bite.angle_rad = std::asin(std::clamp(static_cast<double>(e.value2), 0.0, 1.0));
-            break;
         case EventKind::kNeedleLeft:
-            if (!bite.left) bite.depth_m = static_cast<double>(e.value2);
+            if (bite.left) break;
+            bite.depth_m = std::max(bite.depth_m, static_cast<double>(e.value2));
+            bite.channel = e.hash;
             break;
         case EventKind::kNeedleThrough:
-            bite.done = bite.done || (bite.entered && bite.left);
+            bite.done = bite.done || (bite.entered && bite.left && e.hash == bite.channel);
             break;
         default:
             break;
@@ -82,7 +97,9 @@ double Bite::asymmetry_m() const { return std::abs(entry_from_line_m() - exit_fr
 
 std::vector<Bite> bites_of(const sim::Recording& recording) {
     std::vector<Bite> bites;
+    Prick prick;
     for (const Event& e : recording.events) {
+        prick.note(e);
         if (e.kind == EventKind::kBiteMark) {
             if (bites.empty() || bites.back().number != e.element) {
                 bites.emplace_back();
@@ -90,7 +107,7 @@ std::vector<Bite> bites_of(const sim::Recording& recording) {
             }
             (e.value2 > 0 ? bites.back().mark_out_m : bites.back().mark_in_m) = rest_place(e);
         } else if (!bites.empty()) {
-            note(e, bites.back());
+            note(e, prick, bites.back());
         }
     }
     return bites;

@@ -19,8 +19,11 @@ struct Bite {
     sim::Vec3 mark_out_m = sim::Vec3::Zero();
     sim::Vec3 entry_m = sim::Vec3::Zero(), exit_m = sim::Vec3::Zero();  ///< The last of each.
     double entry_offset_m = 0, exit_offset_m = 0;                       ///< From their marks.
-    double depth_m = 0;    ///< Deepest place of the channel below the surface at rest.
+    /// Deepest place of its channels below the surface at rest: through both walls of a slit it has
+    /// two.
+    double depth_m = 0;
     double angle_rad = 0;  ///< Of the needle to the surface at rest where it went in.
+    uint64_t channel = 0;  ///< That of the exit.
     double entered_s = 0, left_s = 0;
     bool entered = false, left = false;
     bool done = false;  ///< Came out, and all of the needle was drawn through.

@@ -20,7 +20,7 @@ namespace placode::assessment {
 /// 18: what lasts counts more, a line traced far off, energy into healthy skin.
 /// 19: taps on one spot or in air are one spell, tugs one pull; a traced line is weighed by the
 /// way.
-inline constexpr int kMetricSetVersion = 19;
+inline constexpr int kMetricSetVersion = 20;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

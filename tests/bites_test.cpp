@@ -108,6 +108,37 @@ TEST(Bites, TheLastEntryOfABiteCounts) {
     EXPECT_NEAR(*set.find("bite_depth_most_mm"), 1.2, 1e-4);
 }
 
+// In at the mark, out of one wall of the slit, into the other, out at the second mark.
+TEST(Bites, ABiteThroughBothWallsOfASlitIsMeasuredFromItsFirstEntry) {
+    Row row;
+    row.marks(0);
+    row.enter(0, Vec3::Zero(), std::sin(10 * std::numbers::pi / 180));
+    row.add(EventKind::kNeedleLeft, 0.024, 1.3e-3).hash = 1;
+    row.add(EventKind::kNeedleEntered, 0.025, 0.98).hash = 2;
+    row.add(EventKind::kNeedleLeft, 0.024, 0.4e-3).hash = 2;
+    row.add(EventKind::kBiteExit, 1, 0, Row::mark(0, false));
+    row.add(EventKind::kNeedleThrough, 0, 0).hash = 1;
+    EXPECT_EQ(*row.measured().find("bites_done"), 0) << "it hangs in the second wall";
+    row.add(EventKind::kNeedleThrough, 0, 0).hash = 2;
+    const MetricSet set = row.measured();
+    EXPECT_EQ(*set.find("bites_done"), 1);
+    EXPECT_NEAR(*set.find("bite_angle_least_deg"), 10, 1e-4);
+    EXPECT_NEAR(*set.find("bite_depth_most_mm"), 1.3, 1e-4);
+}
+
+// What is drawn back and done anew says nothing of the bite that is made in the end.
+TEST(Bites, ANewEntryBeginsTheDepthAnew) {
+    Row row;
+    row.marks(0);
+    row.enter(0, Vec3::Zero());
+    row.add(EventKind::kNeedleLeft, 0.024, 2.4e-3);
+    row.add(EventKind::kNeedleWithdrawn, 0, 0);
+    row.enter(0, Vec3::Zero());
+    row.leave(0, Vec3::Zero(), 1.1e-3);
+    row.through();
+    EXPECT_NEAR(*row.measured().find("bite_depth_most_mm"), 1.1, 1e-4);
+}
+
 TEST(Bites, OnlyWhatIsDoneIsMeasured) {
     Row row;
     row.marks(0);
