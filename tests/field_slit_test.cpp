@@ -154,6 +154,22 @@ TEST(FieldSlit, WallsMovedTogetherAreShutAndThoseThatPassedEachOtherToo) {
     EXPECT_EQ(narrowest_gap(*scene, state, station), 0);
 }
 
+TEST(FieldSlit, EdgesThatRideOverEachOtherShutNothing) {
+    const auto& scene = pad_scene();
+    State state(*scene, 1);
+    const int station = nearest_station(*scene, Vec2(0.009, 0));
+    // The left wall 1 mm past the right one and 0.5 mm up.
+    for (size_t v = 0; v < scene->body.mesh().rest.size(); ++v) {
+        if (scene->slit.side_of(static_cast<int32_t>(v)) <= 0) continue;
+        const Vec3& at = scene->body.mesh().rest[v];
+        state.body.x[v].x = static_cast<float>(at.x() + kWidthM + 0.001);
+        state.body.x[v].z = static_cast<float>(at.z() + 0.0005);
+    }
+    EXPECT_GT(narrowest_gap(*scene, state, station), 0.0009);
+    EXPECT_LT(narrowest_gap(*scene, state, station), 0.001);
+    EXPECT_GT(slit_events(*scene, state).at(static_cast<size_t>(station) + 1).value, 0.0009F);
+}
+
 TEST(FieldSlit, ATornWallIsOpenHoweverNearItsRagsLie) {
     const auto& scene = pad_scene();
     State state(*scene, 1);

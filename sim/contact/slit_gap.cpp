@@ -19,6 +19,9 @@ namespace {
 // Walls that shift along each other this far still find their counterpart.
 constexpr int kStationsAround = 3;
 constexpr double kBesideWallM = 1e-4, kStationM = 5e-4;
+// A wall pressed into the other by up to this much touches it. Contact keeps them 50 um apart, less
+// what the pull of threads presses; planning value.
+constexpr double kPassedM = 3e-4;
 
 using Wall = Slit::Column Slit::Station::*;
 
@@ -78,13 +81,17 @@ double slit_gap(const Scene& scene, const State& state, int station, int level) 
     assert(0 <= level && level < scene.slit.layers && "a level is from 0 to below the floor");
     const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
     const auto k = static_cast<size_t>(level);
-    const Vec3 across = rest_of(scene, s.right[k]) - rest_of(scene, s.left[k]);
+    const Vec3 across = (rest_of(scene, s.right[k]) - rest_of(scene, s.left[k])).normalized();
     const Vec3 from_left = WayToWall(scene, state, &Slit::Station::right)
                                .from(position(state.body, s.left[k]), station);
     const Vec3 from_right = WayToWall(scene, state, &Slit::Station::left)
                                 .from(position(state.body, s.right[k]), station);
-    // One that has passed the other wall by a little is not apart from it.
-    if (from_left.dot(across) <= 0 || from_right.dot(across) >= 0) return 0;
+    // One that has passed the other wall by a little is not apart from it; further, edges ride over
+    // each other and shut nothing. Edges of which one stands higher have not passed each other.
+    const double left_past = -from_left.dot(across), right_past = from_right.dot(across);
+    if (std::max(left_past, right_past) > kPassedM)
+        return (left_past > right_past ? from_left : from_right).norm() - kTissueGapM;
+    if (left_past >= 0 || right_past >= 0) return 0;
     return std::max(0.0, std::min(from_left.norm(), from_right.norm()) - kTissueGapM);
 }
 
