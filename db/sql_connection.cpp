@@ -86,11 +86,6 @@ Diagnosis diagnose_postgresql(const std::string& state, QSqlError::ErrorType typ
     return {Kind::kOther, "nothing was changed"};
 }
 
-// As libpq reads the values of its connection text. Qt makes ';' into a blank.
-QString libpq_quoted(const std::string& value) {
-    return QString::fromStdString(value).replace('\\', "\\\\").replace('\'', "\\'");
-}
-
 std::string first_line(const QString& text) {
     return text.section('\n', 0, 0).trimmed().toStdString();
 }
@@ -135,11 +130,7 @@ void Connection::open() {
         database_.setUserName(QString::fromStdString(url_.user));
         database_.setPassword(QString::fromStdString(url_.password));
         database_.setDatabaseName(QString::fromStdString(url_.name));
-        QString options = QStringLiteral("connect_timeout=5;sslmode=%1")
-                              .arg(QString::fromStdString(url_.sslmode));
-        if (!url_.sslrootcert.empty())
-            options += QStringLiteral(";sslrootcert='%1'").arg(libpq_quoted(url_.sslrootcert));
-        database_.setConnectOptions(options);
+        database_.setConnectOptions(QString::fromStdString(connect_options(url_)));
     }
     if (!database_.open()) fail(database_.lastError());
     if (is_sqlite()) {

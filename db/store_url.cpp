@@ -118,6 +118,22 @@ StoreUrl parse_store_url(const std::string& url) {
     return parsed;
 }
 
+std::string connect_options(const StoreUrl& url) {
+    // A cable that was pulled tells nobody: the kernel asks, and gives up on what is not answered.
+    std::string options =
+        "connect_timeout=5;tcp_user_timeout=10000;keepalives=1;keepalives_idle=5;"
+        "keepalives_interval=2;keepalives_count=3;sslmode=" +
+        url.sslmode;
+    if (url.sslrootcert.empty()) return options;
+    // As libpq reads values. Qt makes ';' into a blank.
+    options += ";sslrootcert='";
+    for (const char c : url.sslrootcert) {
+        if (c == '\\' || c == '\'') options += '\\';
+        options += c;
+    }
+    return options + "'";
+}
+
 bool needs_password(const StoreUrl& url) {
     if (url.engine != Engine::kPostgresql || !url.password.empty()) return false;
     if (url.host.find('/') != std::string::npos) return false;  // the socket knows who asks

@@ -33,6 +33,10 @@ struct StoreUrl {
     return url.engine == Engine::kSqlite && url.path != ":memory:";
 }
 
+/// What libpq is told beside the address, joined by ';': who has to prove what, and how long a
+/// server that went away without a word is waited for (10 s).
+[[nodiscard]] std::string connect_options(const StoreUrl& url);
+
 /// True where whoever opens this has to be asked for a password first: a server, and neither the
 /// address nor $PGPASSWORD nor a password file ($PGPASSFILE, ~/.pgpass) has one for it.
 [[nodiscard]] bool needs_password(const StoreUrl& url);

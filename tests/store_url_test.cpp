@@ -132,4 +132,16 @@ TEST(StoreUrl, WhatCannotBeReadSaysWhatIsExpected) {
     }
 }
 
+// Without these a shell waits for minutes for a server whose cable was pulled.
+TEST(StoreUrl, AServerThatWentAwayWithoutAWordIsWaitedForTenSeconds) {
+    const std::string plain = connect_options(parse_store_url("postgresql://ann@db:5432/n"));
+    for (const char* option : {"connect_timeout=5", ";tcp_user_timeout=10000", ";keepalives=1",
+                               ";keepalives_idle=5", ";sslmode=verify-full"})
+        EXPECT_THAT(plain, HasSubstr(option));
+    EXPECT_THAT(plain, Not(HasSubstr("sslrootcert")));
+    StoreUrl url = parse_store_url("postgresql://ann@db:5432/n");
+    url.sslrootcert = "/it's/a\\b.crt";
+    EXPECT_THAT(connect_options(url), HasSubstr(";sslrootcert='/it\\'s/a\\\\b.crt'"));
+}
+
 }  // namespace THIS_TEST

@@ -23,6 +23,7 @@ class ShellStoreTest : public QObject {
     void theRolesOfAPersonAreChanged();
     void aSessionEndsWhenItsRolesAreOthers();
     void aSessionEndsWhenItsAccountIsClosed();
+    void theStoreIsNotAskedWhileAnAttemptRuns();
     void whatAParticipantAnsweredOutlivesTheSession();
     void aListAskedForAfterwardsLeadsToSignIn();
     void aRecordingIsCopiedElsewhereAndNeverOverItself();
@@ -185,6 +186,30 @@ void ShellStoreTest::aSessionEndsWhenItsAccountIsClosed() {
     elsewhere()->accounts().set_active(shell_->idOf("demo.trainee"), false);
     QVERIFY2(isSentToSignIn("Your account was closed"), qPrintable(shell_->text("login_note")));
     QVERIFY(!shell_->signIn("demo.trainee", "placode-demo"));
+}
+
+// A server that hangs held up the thread that reads what the simulator says.
+void ShellStoreTest::theStoreIsNotAskedWhileAnAttemptRuns() {
+    QVERIFY(shell_->signIn("demo.trainee", "placode-demo"));
+    AppContext& context = shell_->context();
+    AttemptLauncher& launcher = context.launcher();
+    AttemptOrder order;
+    order.user_id = shell_->idOf("demo.trainee");
+    order.user_name = "Demo";
+    order.task = order.title = "diathermy_ring_small";
+    order.device = "script:novice";
+    launcher.start(order, context.recordingsFolder());
+    QVERIFY(QTest::qWaitFor([&] { return launcher.status().time_s > 0; }, 120000));
+    elsewhere()->accounts().set_active(order.user_id, false);
+    auto* watch = context.findChild<QTimer*>("session_watch");
+    QVERIFY(watch != nullptr);
+    watch->start(100);
+    QTest::qWait(1500);  // The store is asked once a second at most.
+    QVERIFY2(launcher.running(), "the attempt was over before it could be seen");
+    QVERIFY(context.signedIn() && context.sessionNote().isEmpty());
+    launcher.abort();
+    QVERIFY(QTest::qWaitFor([&] { return !launcher.running(); }, 10000));
+    QVERIFY(QTest::qWaitFor([&] { return !context.sessionNote().isEmpty(); }, 10000));
 }
 
 void ShellStoreTest::sessionEndsWith(db::Roles roles) {

@@ -3,6 +3,9 @@
 #pragma once
 // Status for whoever started this program: one JSON object a line on standard output.
 
+#include <unistd.h>
+
+#include <chrono>
 #include <optional>
 #include <string>
 
@@ -20,20 +23,31 @@ struct ReplayStatus {
     std::string problem;  ///< A command that was not understood.
 };
 
-/// Prints and flushes when `enabled`; otherwise silent.
+/// Prints and flushes when `enabled`; otherwise silent. Whoever reads a pipe may hang: the attempt
+/// does not wait for that, the lines of meanwhile are dropped, each as a whole.
 class StatusLine {
  public:
-    explicit StatusLine(bool enabled) : enabled_(enabled) {}
+    /// `stream`: where the lines go, standard output but for tests; stays open.
+    explicit StatusLine(bool enabled, int stream = STDOUT_FILENO);
+    ~StatusLine();
+    StatusLine(const StatusLine&) = delete;
+    StatusLine& operator=(const StatusLine&) = delete;
     void set_replay(const ReplayStatus& replay) { replay_ = replay; }
     /// At most ten times a second unless `now`.
     void print(const curriculum::AttemptStatus& status, bool now = false);
-    /// Last line. `recording` empty = none.
+    /// Last line; waits at most kPatience for a pipe that is full. `recording` empty = none.
     void end(const curriculum::AttemptStatus& status, const std::string& reason,
              const std::string& recording, const std::string& detail = {},
              const std::string& haptics = {});
 
+    static constexpr std::chrono::milliseconds kPatience{3000};
+
  private:
+    void send(const std::string& line, std::chrono::milliseconds patience);
+
     bool enabled_;
+    int pipe_ = -1;     // where the lines go; -1 = no pipe, by stdio
+    std::string rest_;  // of a line that the pipe took in part
     std::optional<ReplayStatus> replay_;
     double last_s_ = -1;  // monotonic
 };

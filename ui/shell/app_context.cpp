@@ -74,8 +74,12 @@ AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) 
     });
     installTranslators();
     apply_theme(*qApp, theme_);
+    session_watch_.setObjectName("session_watch");
     session_watch_.setInterval(kSessionWatchMs);
-    connect(&session_watch_, &QTimer::timeout, this, [this] { (void)sessionStands(); });
+    // A server that hangs holds up this thread, which reads what a running attempt says.
+    connect(&session_watch_, &QTimer::timeout, this, [this] {
+        if (!launcher_->running()) (void)sessionStands();
+    });
     session_watch_.start();
 }
 

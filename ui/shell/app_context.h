@@ -220,7 +220,7 @@ class AppContext : public QObject {
     std::optional<db::UserRecord> user_;
     QString session_note_;
     QElapsedTimer session_asked_;
-    QTimer session_watch_;
+    QTimer session_watch_{this};                   ///< Not while an attempt runs.
     std::set<QString> saving_;                     ///< Recordings on their way into the store.
     std::map<std::string, db::Erasure> erasures_;  ///< The last one, by store.
     int lock_after_s_ = 600;
