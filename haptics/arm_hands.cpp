@@ -166,7 +166,7 @@ void ArmHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
         sequence_ > 0 ? std::clamp(static_cast<double>(t_ns - last_ns_) * 1e-9, 0.0, 0.010) : 0.0;
     last_ns_ = t_ns;
     ++sequence_;
-    if (window_ != nullptr) window_->refresh();
+    if (window_ != nullptr && window_->refresh()) age_.heard(t_ns);
     const sim::WindowInput& now = window_ != nullptr ? window_->front() : idle_;
     if (!window_seen_) before_ = now;
     window_seen_ = true;
@@ -179,9 +179,12 @@ void ArmHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
 
     for (ArmSample& sample : samples_) sample = {};
     sense(t_ns, {samples_.data(), arms_.size()});
+    const bool cut_key = now.is_down(sim::Key::kCut), coag_key = now.is_down(sim::Key::kCoag);
     uint8_t feet = feet_.poll(t_ns);
-    if (now.is_down(sim::Key::kCut)) feet |= sim::kPedalCut;
-    if (now.is_down(sim::Key::kCoag)) feet |= sim::kPedalCoag;
+    if (cut_key) feet |= sim::kPedalCut;
+    if (coag_key) feet |= sim::kPedalCoag;
+    // Keys that stand for pedals are only as good as what the window said last.
+    const bool doubtful = (cut_key || coag_key) && age_.stale(t_ns);
     bool held = false;
     for (size_t a = 0; a < arms_.size(); ++a) {
         feet = static_cast<uint8_t>(feet | samples_[a].pedals);
@@ -193,7 +196,7 @@ void ArmHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
         if ((samples_[a].buttons & kCoagButton) != 0) feet |= sim::kPedalCoag;
     }
     // A pedal that is down in a pause has to be pressed anew.
-    const uint8_t pedals = guard_.update(feet, t_ns, now.focused && held && !on_hold_);
+    const uint8_t pedals = guard_.update(feet, t_ns, now.focused && held && !on_hold_ && !doubtful);
     before_ = now;
 
     for (DeviceState& state : states) {

@@ -96,6 +96,7 @@ class ArmHands : public DeviceGroup {
     std::array<ArmForce, kMaxArms> forces_;
     sim::Latest<sim::WindowInput>* window_;
     sim::WindowInput before_, idle_;
+    WindowAge age_;
     bool window_seen_ = false, finished_ = false, on_hold_ = false;
     FootPedals feet_;
     PedalGuard guard_;

@@ -189,7 +189,7 @@ void WindowHands::move_jaw(WindowHand& hand, bool pressed, double dt_s) const no
 void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
     if (hands_.empty()) return;
     before_read(t_ns);
-    if (window_ != nullptr) window_->refresh();
+    if (window_ != nullptr && window_->refresh()) age_.heard(t_ns);
     const sim::WindowInput& now = window_ != nullptr ? window_->front() : idle_;
     if (!seen_) before_ = now;  // Totals from before the attempt do not count.
     const double dt =
@@ -199,7 +199,7 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
 
     const auto key = [](sim::Key k) { return static_cast<size_t>(k); };
     const bool there = present(now);
-    const bool attended = now.focused && there;
+    const bool attended = now.focused && there && !age_.stale(t_ns);
     const bool allowed = attended && !on_hold_;
     if (allowed) {
         next_hand(now.presses[key(sim::Key::kTab)] - before_.presses[key(sim::Key::kTab)]);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What mouse, keyboard and gamepad share: hands that move in the picture's plane and keep still
-// when the window loses focus, pedals that let go by themselves, clutch and finish key. A variant
-// only says how far the hand wants to go.
+// when the window loses focus or says nothing for a second, pedals that let go by themselves,
+// clutch and finish key. A variant only says how far the hand wants to go.
 
 #include <span>
 #include <string>
@@ -30,6 +30,28 @@ class PedalGuard {
     uint8_t before_ = 0;
     bool spent_ = false;  // timed out or lost focus: wait for the release
     int64_t since_ns_ = 0;
+};
+
+/// How old what the window said last is, on the servo's clock. A main thread that stands still (a
+/// disk, a driver of graphics, a debugger) leaves keys held that were let go long ago.
+class WindowAge {
+ public:
+    /// Twice the slowest window that was seen, 2 pictures a second on a processor that draws: the
+    /// main thread publishes once a picture. Such an attempt counts for nothing, but works.
+    static constexpr int64_t kStaleNs = 1'000'000'000;
+
+    void heard(int64_t t_ns) noexcept {
+        heard_ns_ = t_ns;
+        spoke_ = true;
+    }
+    /// A window that never spoke holds no key.
+    [[nodiscard]] bool stale(int64_t t_ns) const noexcept {
+        return spoke_ && t_ns - heard_ns_ >= kStaleNs;
+    }
+
+ private:
+    int64_t heard_ns_ = 0;
+    bool spoke_ = false;
 };
 
 /// One hand at a virtual device, in D.
@@ -86,6 +108,7 @@ class WindowHands : public DeviceGroup {
     std::string model_;
     sim::Latest<sim::WindowInput>* window_;
     sim::WindowInput before_, idle_;
+    WindowAge age_;
     bool seen_ = false;
     std::vector<WindowHand> hands_;
     size_t active_ = 0, pressed_by_ = 0;

@@ -41,7 +41,14 @@ struct Bench {
         read(10);
     }
     const DeviceState& read(int ms) {
-        window.publish(input);
+        for (int i = 0; i < ms; ++i) {
+            window.publish(input);
+            read_only(1);
+        }
+        return states[0];
+    }
+    /// While the window says nothing.
+    const DeviceState& read_only(int ms) {
         for (int i = 0; i < ms; ++i) device->read(t_ns += kMs, states);
         return states[0];
     }
@@ -468,6 +475,41 @@ TEST(Keyboard, CutsWithXSlowly) {
     const double start = bench.states[0].position_m.x();
     EXPECT_EQ(bench.states[0].pedals, sim::kPedalCut);
     EXPECT_NEAR(bench.read(1000).position_m.x() - start, 0.004, 2e-4) << "4 mm/s under the pedal";
+}
+
+// A main thread that hung went on cutting for ten seconds, at the speed of the keys held last.
+TEST(Keyboard, StopsWhereTheWindowSaysNothingForASecond) {
+    Bench bench("keyboard");
+    bench.hold(Key::kX);
+    bench.hold(Key::kD);
+    bench.read(1);
+    const double start = bench.states[0].position_m.x();
+    // Two pictures a second: slow, and no reason to stop.
+    bench.read_only(900);
+    EXPECT_EQ(bench.states[0].pedals, sim::kPedalCut);
+    EXPECT_GT(bench.states[0].position_m.x(), start + 0.002);
+    bench.read_only(200);
+    const Vec3 here = bench.states[0].position_m;
+    for (int i = 0; i < 2000; ++i) {
+        EXPECT_EQ(bench.read_only(1).pedals, 0);
+        EXPECT_EQ(bench.states[0].position_m, here);
+    }
+    EXPECT_EQ(bench.read(10).pedals, 0) << "what was held meanwhile has to be pressed anew";
+    EXPECT_GT(bench.read(300).position_m.x(), here.x()) << "the hand goes on";
+    bench.hold(Key::kX, false);
+    bench.read(1);
+    bench.hold(Key::kX);
+    EXPECT_EQ(bench.read(1).pedals, sim::kPedalCut);
+}
+
+TEST(Mouse, StopsWhereTheWindowSaysNothingForASecond) {
+    Bench bench("mouse");
+    bench.input.left = true;
+    bench.read(1);
+    EXPECT_EQ(bench.read_only(900).pedals, sim::kPedalCut);
+    EXPECT_EQ(bench.read_only(101).pedals, 0);
+    EXPECT_EQ(bench.read(10).pedals, 0);
+    EXPECT_FALSE(bench.states[0].finish);
 }
 
 TEST(Gamepad, IsLostUntilAPadIsThere) {
