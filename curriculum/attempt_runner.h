@@ -41,8 +41,9 @@ struct AttemptStatus {
     uint64_t servo_missed = 0, servo_gaps = 0, servo_faults = 0;  ///< As in the certificate.
     int64_t dropped = 0;
     bool running = true;
-    bool waiting = false;  ///< For the first motion of a hand.
-    double real_time = 1;  ///< Simulated over wall-clock time (curriculum/machine_speed.h).
+    bool waiting = false;      ///< For the first motion of a hand.
+    bool device_lost = false;  ///< No hand has a device any more.
+    double real_time = 1;      ///< Simulated over wall-clock time (curriculum/machine_speed.h).
     double real_time_now = 1, pictures_now_hz = 0;  ///< Of the last second.
     double pictures_hz = 0;                         ///< In nine of ten seconds.
     bool slow = false;                              ///< Has not kept up for some seconds.

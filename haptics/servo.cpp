@@ -119,6 +119,12 @@ void Servo::Impl::step_release() noexcept {
     if (release_ticks > 0 && --release_ticks == 0) released.store(true, std::memory_order_release);
 }
 
+void Servo::Impl::read(int64_t t_ns) noexcept {
+    devices->read(t_ns, states);
+    const auto is_lost = [](const DeviceState& s) { return s.status == DeviceStatus::kLost; };
+    lost.store(std::all_of(states.begin(), states.end(), is_lost), std::memory_order_relaxed);
+}
+
 // One tick of the thread or of the device's own scheduler. False: the session is over.
 bool Servo::Impl::tick_all(int64_t now_ns) noexcept {
     note_time(now_ns);
@@ -131,7 +137,7 @@ bool Servo::Impl::tick_all(int64_t now_ns) noexcept {
                             trocar.device_vector(Vec3::UnitZ()).normalized());
     }
     devices->hold(paused.load(std::memory_order_relaxed));
-    devices->read(now_ns, states);
+    read(now_ns);
     for (size_t i = 0; i < hands.size(); ++i) tick_hand(i, now_ns, inputs[i], feedback[i]);
     // A read that hung: these forces answer to a hand of the past.
     if (devices->now_ns() - now_ns > kCommandLifeNs)
@@ -187,7 +193,7 @@ Servo::~Servo() { stop(); }
 void Servo::tick(int64_t t_ns, std::span<sim::ToolInput> inputs,
                  std::span<const sim::ToolFeedback> feedback) noexcept {
     Impl& impl = *impl_;
-    impl.devices->read(t_ns, impl.states);
+    impl.read(t_ns);
     const size_t n = std::min({impl.hands.size(), inputs.size(), feedback.size()});
     for (size_t i = 0; i < n; ++i) impl.tick_hand(i, t_ns, inputs[i], feedback[i]);
     impl.devices->write(impl.commands);
@@ -239,6 +245,7 @@ Servo::Exchange& Servo::exchange() noexcept { return impl_->exchange; }
 DeviceGroup& Servo::devices() noexcept { return *impl_->devices; }
 
 bool Servo::finish_requested() const noexcept { return impl_->finish; }
+bool Servo::device_lost() const noexcept { return impl_->lost.load(std::memory_order_relaxed); }
 bool Servo::renders_force() const noexcept { return impl_->force; }
 
 double Servo::stiffness_n_m(size_t hand) const noexcept {

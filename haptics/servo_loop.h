@@ -52,7 +52,7 @@ struct Servo::Impl {
     Exchange exchange;
     Counters counters;
     std::atomic<bool> finish{false}, running{false}, releasing{false}, released{false},
-        real_time{false}, paused{false}, locked{false}, own_scheduler{false};
+        real_time{false}, paused{false}, locked{false}, own_scheduler{false}, lost{false};
     // Owner.
     std::thread thread;
     bool was_started = false, stopped = false;
@@ -63,6 +63,7 @@ struct Servo::Impl {
     void note_doubt(size_t i, const CouplingResult& result, bool counted) noexcept;
     void note_time(int64_t now_ns) noexcept;
     void step_release() noexcept;
+    void read(int64_t t_ns) noexcept;
     bool tick_all(int64_t now_ns) noexcept;
     void run() noexcept;
 };

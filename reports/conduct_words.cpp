@@ -42,6 +42,8 @@ QString cause_words(const Speaker& say, sim::PauseCause cause) {
             return say("asked before closing");
         case sim::PauseCause::kFocus:
             return say("another window in front");
+        case sim::PauseCause::kDevice:
+            return say("the device was gone");
     }
     return {};
 }

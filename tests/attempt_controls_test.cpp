@@ -436,6 +436,49 @@ TEST(AttemptControls, AMinimisedWindowPausesEveryDeviceOnceItHasBegun) {
     }
 }
 
+TEST(AttemptControls, AGamepadThatGoesAwayPausesWhatHasBegun) {
+    for (const bool gamepad : {true, false}) {
+        ControlsSetup setup;
+        setup.gamepad = gamepad;
+        Bench bench(setup);
+        bench.attempt_s = 0;
+        if (bench.controls.paused()) bench.tap(Key::kEscape);  // it begins in mid-attempt
+        bench.step({});
+        EXPECT_FALSE(bench.controls.paused()) << "nothing has begun";
+        bench.attempt_s = 5;
+        bench.totals.gamepad = true;
+        bench.step({button(0)});
+        EXPECT_FALSE(bench.controls.paused());
+        bench.totals.gamepad = false;
+        bench.step({});
+        EXPECT_EQ(bench.controls.paused(), gamepad);
+        EXPECT_EQ(bench.controls.for_devices().left, !gamepad);
+        if (!gamepad) continue;
+        EXPECT_EQ(bench.controls.screen(), Screen::kMenu);
+        EXPECT_EQ(bench.controls.pause_cause(), sim::PauseCause::kDevice);
+        EXPECT_EQ(bench.controls.menu().title, "Paused: the gamepad is gone");
+        bench.tap(Key::kEscape);
+        EXPECT_TRUE(bench.controls.paused()) << "without it nobody operates";
+        bench.totals.gamepad = true;
+        bench.step({});
+        EXPECT_TRUE(bench.controls.paused()) << "until somebody chooses to go on";
+        bench.tap(Key::kEscape);
+        EXPECT_FALSE(bench.controls.paused());
+    }
+}
+
+TEST(AttemptControls, AMenuThatStandsIsNotReplacedByAPauseThatNobodyAskedFor) {
+    Bench bench;
+    bench.tap(Key::kEscape);
+    bench.controls.interrupt("Paused: the SpaceMouse is gone", sim::PauseCause::kDevice);
+    EXPECT_EQ(bench.controls.pause_cause(), sim::PauseCause::kMenu);
+    bench.tap(Key::kEscape);
+    bench.controls.interrupt("Paused: the SpaceMouse is gone", sim::PauseCause::kDevice);
+    EXPECT_EQ(bench.controls.menu().title, "Paused: the SpaceMouse is gone");
+    bench.step({});
+    EXPECT_TRUE(bench.controls.paused());
+}
+
 TEST(AttemptControls, AClickBetweenTwoPicturesIsSeenByTheHand) {
     Bench bench;
     bench.step({button(0), button(0, false)});

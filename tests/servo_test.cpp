@@ -178,6 +178,7 @@ TEST(Servo, LetsTheToolGoWithoutForceWhenTheDeviceIsLost) {
     bench.feedback[0].proxy.p.z() += 0.001;
     for (int i = 0; i < 50; ++i) bench.tick();
     ASSERT_GT(bench.script.force.norm(), 0.2) << "there was a force to lose";
+    EXPECT_FALSE(bench.servo.device_lost());
     const auto before = bench.inputs[0].position_m;
     bench.script.state.status = DeviceStatus::kLost;
     bench.script.state.position_m = Vec3(0.02, 0, 0);
@@ -187,6 +188,10 @@ TEST(Servo, LetsTheToolGoWithoutForceWhenTheDeviceIsLost) {
     EXPECT_EQ(input.pedals, 0);
     EXPECT_EQ(input.position_m, before) << "the tool stays where the hand was last believed";
     EXPECT_EQ(bench.servo.health().faults, 1u);
+    EXPECT_TRUE(bench.servo.device_lost()) << "for whoever pauses then";
+    bench.script.state.status = DeviceStatus::kReady;
+    bench.tick();
+    EXPECT_FALSE(bench.servo.device_lost());
 }
 
 TEST(Servo, DropsPedalsAndForceForNumbersThatAreNone) {

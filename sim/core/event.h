@@ -162,8 +162,8 @@ enum class IrrigationSum : int32_t {
     kSuction,  ///< Seconds in which suction held tissue, those with the placode.
     kDebris    ///< Crumbs and spots at the start, left.
 };
-/// Why simulated time stood still.
-enum class PauseCause : uint8_t { kMenu = 0, kHelp, kClosing, kFocus };
+/// Why simulated time stood still. Stored as numbers in recordings: append only.
+enum class PauseCause : uint8_t { kMenu = 0, kHelp, kClosing, kFocus, kDevice };
 [[nodiscard]] std::string_view event_name(EventKind kind) noexcept;
 
 /// True for events that stand in hundreds in a recording and say nothing by themselves: lost

@@ -53,6 +53,9 @@ void AttemptControls::update(const view::WindowEvents& events, const sim::Window
         take(event);
         left_operating_ = left_operating_ || paused();
     }
+    if (!end_ && setup_.gamepad && !totals.gamepad)
+        interrupt("Paused: the gamepad is gone", PauseCause::kDevice);
+    left_operating_ = left_operating_ || paused();
     if (!end_) watch_hold();
     if (first_help_ && screen_ == Screen::kHelp) {
         moved_ += std::abs(totals.mouse_x - last_totals_.mouse_x) +
@@ -124,6 +127,13 @@ void AttemptControls::out_of_sight(const WindowEvent& event) {
         open_menu("Paused", PauseCause::kFocus);
     else if (setup_.window_hands)
         open_menu("Paused: another window is in front", PauseCause::kFocus);
+}
+
+void AttemptControls::interrupt(const char* title, PauseCause cause) {
+    if (screen_ != Screen::kOperate || attempt_s_ <= 0) return;
+    held_since_s_.reset();
+    hands_off();
+    open_menu(title, cause);
 }
 
 /// F2 and what belongs to the panel. True when nothing else shall see the event.

@@ -39,6 +39,7 @@ struct ControlsSetup {
     double usual_s = 0;        ///< What the attempt usually takes; 0 = not known.
     double least_s = 0;        ///< A study's least duration; 0 = none.
     bool help_first = false;   ///< Begin with the help.
+    bool gamepad = false;      ///< The hands are a gamepad: without it the attempt stands still.
     bool window_hands = true;  ///< Without the focus hands stand still, and the attempt pauses.
     std::string language = "en";
     haptics::ControlLayout layout;  ///< Which key and button does what for the hands.
@@ -60,6 +61,9 @@ class AttemptControls {
     /// `attempt_s` the simulated time (0: not begun), `now_s` a clock that only grows.
     void update(const view::WindowEvents& events, const sim::WindowInput& totals,
                 const Pointer& pointer, double attempt_s, double now_s);
+
+    /// A pause that nobody pressed a key for: the device is gone. Only once the attempt has begun.
+    void interrupt(const char* title, sim::PauseCause cause);
 
     /// How the attempt is to end; set once, by a confirmed wish.
     [[nodiscard]] std::optional<sim::EndReason> end() const { return end_; }

@@ -20,6 +20,7 @@ ControlsSetup controls_setup(const curriculum::Task& task, const Arguments& argu
     setup.planned_line = arguments.aids.planned_line;
     setup.usual_s = curriculum::usual_time_s(task);
     setup.least_s = arguments.least_s;
+    setup.gamepad = arguments.device == "gamepad";
     setup.window_hands = has_window_hands(arguments.device);
     // Nobody starts in the dark; the steps of a practice task say it themselves.
     setup.help_first = is_in_window(arguments.device) && task.steps.empty() &&

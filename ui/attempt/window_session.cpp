@@ -70,6 +70,7 @@ class WindowSession {
           pace_(quality_),
           sound_(arguments),
           scripted_(is_script(arguments)),
+          space_mouse_(arguments.device == "spacemouse"),
           one_hand_(has_window_hands(arguments.device)),
           read_on_(!scripted_ && !is_in_window(arguments.device) && conduct_.help),
           remember_size_(has_own_size(arguments) && !arguments.fullscreen) {}
@@ -126,7 +127,10 @@ class WindowSession {
         const auto [x, y] = view_.pointer();
         const Pointer pointer{x, y, view_.menu_item_under_pointer(),
                               view_.tuning_item_under_pointer()};
-        controls_.update(view_.events(), totals_, pointer, runner_.status().time_s, seconds());
+        const curriculum::AttemptStatus status = runner_.status();
+        if (space_mouse_ && status.device_lost)
+            controls_.interrupt("Paused: the SpaceMouse is gone", sim::PauseCause::kDevice);
+        controls_.update(view_.events(), totals_, pointer, status.time_s, seconds());
         if (controls_.paused() != paused_) {
             paused_ = controls_.paused();
             runner_.set_paused(paused_, controls_.pause_cause());
@@ -241,7 +245,8 @@ class WindowSession {
     PicturePace pace_;
     SessionSound sound_;
     sim::WindowInput totals_;
-    bool scripted_ = false, one_hand_ = false, read_on_ = false, lens_told_ = false;
+    bool scripted_ = false, space_mouse_ = false, one_hand_ = false, read_on_ = false,
+         lens_told_ = false;
     bool screenshot_asked_ = false, paused_ = false, remember_size_ = false;
     std::string notice_;
     Clock::time_point notice_until_{};

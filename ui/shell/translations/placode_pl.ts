@@ -9725,6 +9725,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>inne okno na wierzchu</translation>
     </message>
     <message>
+        <source>the device was gone</source>
+        <translation>brak urządzenia</translation>
+    </message>
+    <message>
         <source>Stood still %1, %2 in all (%3).</source>
         <translation>Czas stał %1, łącznie %2 (%3).</translation>
     </message>
@@ -13559,6 +13563,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Paused: another window is in front</source>
         <translation>Pauza: na wierzchu jest inne okno</translation>
+    </message>
+    <message>
+        <source>Paused: the gamepad is gone</source>
+        <translation>Pauza: brak pada</translation>
+    </message>
+    <message>
+        <source>Paused: the SpaceMouse is gone</source>
+        <translation>Pauza: brak SpaceMouse</translation>
     </message>
     <message>
         <source>Finish</source>
