@@ -37,11 +37,13 @@ AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
       frame_s_(task.scene.solver.frame_s),
       fast_(options.fast),
       lock_step_(servo_->devices().lock_step()),
+      asleep_ns_(options.asleep_ns),
       frames_per_look_(std::max<int64_t>(1, std::llround(0.016 / frame_s_))),
       state_(*scene_, std::max(1, options.threads)),
       sight_(*scene_),
       frames_(task, options.steps, *scene_, settled(*scene_, state_, task.settle_s),
-              limit_of(task, options.duration_s)) {
+              limit_of(task, options.duration_s)),
+      sleep_(asleep_ns_()) {
     waiting_ = options.wait_for_motion && !fast_ && !lock_step_;
     // All three slots get their memory here, not in the loop; the first picture is the settled one.
     for (int i = 0; i < 3; ++i) {
@@ -153,6 +155,7 @@ void AttemptLoop::publish() noexcept {
     numbers_now_.substeps = state_.substeps;
     numbers_now_.cut_fraction = frames_.cut_fraction();
     numbers_now_.dropped = dropped_;
+    numbers_now_.sleeps = sleeps_;
     numbers_now_.waiting = waiting_;
     numbers_now_.real_time = speed_.real_time();
     numbers_now_.pictures_hz = speed_.pictures_hz();
@@ -183,6 +186,7 @@ void AttemptLoop::keep_pace() noexcept {
         return;
     }
     if (now - published_ >= kPublishEvery) {
+        watch_sleep();
         publish();
         published_ = now;
     }
@@ -236,6 +240,7 @@ void AttemptLoop::run() noexcept {
 /// The last events, and what the recording ends with.
 void AttemptLoop::close() noexcept {
     frames_.close(state_, *this);
+    watch_sleep();
     watch_pause(false);
     if (const auto speed = speed_.closing(state_.time_s)) record(*speed);
     end_ = frames_.seal(state_, reason_, *this);

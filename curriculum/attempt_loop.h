@@ -14,6 +14,7 @@
 #include "curriculum/frame_costs.h"
 #include "curriculum/machine_speed.h"
 #include "curriculum/operator_sight.h"
+#include "curriculum/sleep_watch.h"
 #include "sim/step/live_tuning.h"
 
 namespace placode::curriculum {
@@ -26,6 +27,7 @@ struct LoopNumbers {
     int substeps = 0;
     double cut_fraction = 0;
     int64_t dropped = 0;
+    int sleeps = 0;                                 ///< As in AttemptStatus.
     bool waiting = false;                           ///< For the first motion of a hand.
     double real_time = 1;                           ///< Simulated over wall-clock time.
     double real_time_now = 1, pictures_now_hz = 0;  ///< Of the last second.
@@ -65,6 +67,8 @@ class AttemptLoop final : private AttemptBook {
 
     [[nodiscard]] bool rest() noexcept;
     void watch_pause(bool paused) noexcept;
+    void watch_sleep() noexcept;
+    void record_pause(double seconds, sim::PauseCause cause) noexcept;
     [[nodiscard]] bool hands_moved() noexcept;
     void show_hands(sim::Snapshot& out) const noexcept;
     void gather_inputs() noexcept;
@@ -90,6 +94,7 @@ class AttemptLoop final : private AttemptBook {
     AttemptRecorder& recorder_;
     double frame_s_;
     bool fast_, lock_step_;
+    int64_t (*asleep_ns_)() noexcept;
     int64_t frames_per_look_;
     // crosses threads
     std::atomic<uint8_t> requested_{0};
@@ -113,6 +118,9 @@ class AttemptLoop final : private AttemptBook {
     bool waiting_ = false, has_first_ = false, resting_ = false;
     std::array<sim::ToolInput, sim::kMaxTools> first_inputs_{};
     Clock::time_point rest_since_{};
+    double rest_slept_s_ = 0;  // before the pause
+    SleepWatch sleep_;
+    int sleeps_ = 0;
     sim::PauseCause rest_cause_ = sim::PauseCause::kMenu;
     int64_t dropped_ = 0;
     sim::EndReason reason_ = sim::EndReason::kRunning;

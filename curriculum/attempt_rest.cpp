@@ -31,6 +31,7 @@ bool AttemptLoop::rest() noexcept {
     }
     // The tuning panel stands open meanwhile: its wishes must not pile up in a short ring.
     take_tunings();
+    watch_sleep();
     publish();
     std::this_thread::sleep_for(waiting_ && !paused ? kPublishEvery / 4 : kPublishEvery);
     next_ = Clock::now();
@@ -44,19 +45,35 @@ bool AttemptLoop::rest() noexcept {
 /// How long a pause lasted, and why, stands in the recording.
 void AttemptLoop::watch_pause(bool paused) noexcept {
     if (paused == resting_) return;
+    watch_sleep();  // What was slept until now belongs to what was until now.
     resting_ = paused;
     if (paused) {
         rest_since_ = Clock::now();
+        rest_slept_s_ = sleep_.total_s();
         rest_cause_ = pause_cause_.load(std::memory_order_relaxed);
         return;
     }
     if (waiting_) return;  // nothing had begun
+    const std::chrono::duration<double> awake = Clock::now() - rest_since_;
+    record_pause(awake.count() + sleep_.total_s() - rest_slept_s_, rest_cause_);
+}
+
+/// A computer that sleeps stops clock and hands alike. In a pause that only makes it longer;
+/// otherwise it is one of its own, and whoever shows the picture is told (`sleeps`).
+void AttemptLoop::watch_sleep() noexcept {
+    if (fast_) return;
+    const double slept_s = sleep_.look(asleep_ns_());
+    if (slept_s == 0 || resting_ || waiting_) return;
+    ++sleeps_;
+    record_pause(slept_s, sim::PauseCause::kAsleep);
+}
+
+void AttemptLoop::record_pause(double seconds, sim::PauseCause cause) noexcept {
     sim::Event event;
     event.kind = sim::EventKind::kPaused;
     event.time_s = state_.time_s;
-    event.value =
-        static_cast<float>(std::chrono::duration<double>(Clock::now() - rest_since_).count());
-    event.value2 = static_cast<float>(rest_cause_);
+    event.value = static_cast<float>(seconds);
+    event.value2 = static_cast<float>(cause);
     record(event);
 }
 

@@ -165,6 +165,7 @@ AttemptStatus AttemptRunner::status() const {
     status.dropped = numbers.dropped;
     status.running = impl_->started && !loop.finished();
     status.waiting = numbers.waiting;
+    status.sleeps = numbers.sleeps;
     status.device_lost = loop.servo().device_lost();
     status.real_time = numbers.real_time;
     status.pictures_hz = numbers.pictures_hz;

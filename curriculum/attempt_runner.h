@@ -9,6 +9,7 @@
 
 #include "curriculum/conduct.h"
 #include "curriculum/task.h"
+#include "haptics/real_time.h"
 #include "haptics/servo.h"
 #include "sim/step/live_tuning.h"
 #include "sim/step/recording.h"
@@ -27,6 +28,8 @@ struct AttemptOptions {
     AttemptMode mode = AttemptMode::kPractice;
     /// Simulated time starts with the first motion of a hand. Scripts and fast runs do not wait.
     bool wait_for_motion = false;
+    /// As haptics::asleep_ns(); a test brings its own. Any thread.
+    int64_t (*asleep_ns)() noexcept = haptics::asleep_ns;
     std::vector<TaskStep> steps;  ///< Filled by the runner: what the device can do of the task's.
 };
 
@@ -42,6 +45,7 @@ struct AttemptStatus {
     int64_t dropped = 0;
     bool running = true;
     bool waiting = false;      ///< For the first motion of a hand.
+    int sleeps = 0;            ///< Times that the computer slept while simulated time ran.
     bool device_lost = false;  ///< No hand has a device any more.
     double real_time = 1;      ///< Simulated over wall-clock time (curriculum/machine_speed.h).
     double real_time_now = 1, pictures_now_hz = 0;  ///< Of the last second.

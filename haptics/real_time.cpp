@@ -24,12 +24,24 @@ void prefault_stack() noexcept {
     for (size_t i = 0; i < sizeof room; i += 4096) room[i] = 0;
 }
 
+int64_t clock_ns(clockid_t clock) noexcept {
+    timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
+}
+
 }  // namespace
 
-int64_t monotonic_ns() noexcept {
-    timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return static_cast<int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
+int64_t monotonic_ns() noexcept { return clock_ns(CLOCK_MONOTONIC); }
+
+int64_t asleep_ns() noexcept {
+    // Both clocks in one moment: who was interrupted between them looks again.
+    constexpr int64_t kMomentNs = 1'000'000;
+    for (int tries = 3;; --tries) {
+        const int64_t before = monotonic_ns(), since_boot = clock_ns(CLOCK_BOOTTIME),
+                      after = monotonic_ns();
+        if (after - before < kMomentNs || tries == 0) return since_boot - after;
+    }
 }
 
 void sleep_until(int64_t t_ns) noexcept {

@@ -14,6 +14,9 @@ inline constexpr int kPhysicsPriority = 60;  ///< SCHED_FIFO
 
 /// CLOCK_MONOTONIC [ns].
 [[nodiscard]] int64_t monotonic_ns() noexcept;
+/// How long this computer has slept since it was started [ns]: CLOCK_MONOTONIC stands still then.
+/// Only differences mean something. As quick as a clock.
+[[nodiscard]] int64_t asleep_ns() noexcept;
 /// Sleeps to an absolute time, so that errors do not add up.
 void sleep_until(int64_t t_ns) noexcept;
 

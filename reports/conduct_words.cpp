@@ -44,6 +44,8 @@ QString cause_words(const Speaker& say, sim::PauseCause cause) {
             return say("another window in front");
         case sim::PauseCause::kDevice:
             return say("the device was gone");
+        case sim::PauseCause::kAsleep:
+            return say("the computer was asleep");
     }
     return {};
 }

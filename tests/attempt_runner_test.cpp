@@ -229,6 +229,44 @@ TEST(AttemptRunner, TheClockStartsWithTheFirstMotionAndStandsInAPause) {
     EXPECT_TRUE(replay(*recording, 1).identical);
 }
 
+std::atomic<int64_t> slept_ns{0};
+
+// Everything ran by a clock that stands still meanwhile: an attempt over lunch had no trace of it.
+TEST(AttemptRunner, ASleepOfTheComputerIsAPauseOfItsOwnAndMakesAnotherLonger) {
+    slept_ns = 0;
+    sim::Latest<sim::WindowInput> window;
+    AttemptOptions options = still_mouse(window);
+    options.threads = 1;
+    options.asleep_ns = []() noexcept { return slept_ns.load(); };
+    auto recording = std::make_shared<sim::Recording>();
+    AttemptRunner runner(quick_task(), 3, options, std::make_unique<test::MemorySink>(recording));
+    runner.start();
+    until([&] { return runner.status().time_s > 0.05; });
+    EXPECT_EQ(runner.status().sleeps, 0);
+    slept_ns += 60'000'000'000;
+    until([&] { return runner.status().sleeps == 1; });
+    runner.set_paused(true, sim::PauseCause::kHelp);
+    until([&] { return runner.snapshot().paused != 0; });
+    slept_ns += 30'000'000'000;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    const double here = runner.status().time_s;
+    runner.set_paused(false);
+    until([&] { return runner.status().time_s > here; });
+    EXPECT_EQ(runner.status().sleeps, 1) << "nobody needs another pause after one";
+    runner.request_finish(sim::EndReason::kFinished);
+    runner.wait();
+    std::vector<sim::Event> pauses;
+    for (const sim::Event& event : recording->events)
+        if (event.kind == sim::EventKind::kPaused) pauses.push_back(event);
+    ASSERT_EQ(pauses.size(), 2U);
+    EXPECT_NEAR(pauses[0].value, 60, 0.01);
+    EXPECT_EQ(static_cast<sim::PauseCause>(pauses[0].value2), sim::PauseCause::kAsleep);
+    EXPECT_GE(pauses[1].value, 30.1F);
+    EXPECT_LT(pauses[1].value, 60);
+    EXPECT_EQ(static_cast<sim::PauseCause>(pauses[1].value2), sim::PauseCause::kHelp);
+    EXPECT_TRUE(replay(*recording, 1).identical);
+}
+
 // The tuning panel stands open in a pause, and somebody may turn at it for long.
 TEST(AttemptRunner, EveryWishOfTheTuningPanelArrivesWhileTimeStandsStill) {
     AttemptOptions options = fast(0);

@@ -152,10 +152,12 @@ TEST_F(ConductWords, DeviationsAreSaidInTheProgramsLanguageAndInEnglishForFiles)
     one.kind = db::DeviationKind::kPaused;
     one.count = 2;
     one.seconds = 12.4;
-    one.causes = {sim::PauseCause::kMenu, sim::PauseCause::kFocus, sim::PauseCause::kDevice};
+    one.causes = {sim::PauseCause::kMenu, sim::PauseCause::kFocus, sim::PauseCause::kDevice,
+                  sim::PauseCause::kAsleep};
     EXPECT_EQ(
         deviation_words(one, Language::kEnglish),
-        "Stood still twice, 12 s in all (menu, another window in front, the device was gone).");
+        "Stood still twice, 12 s in all (menu, another window in front, the device was gone, the "
+        "computer was asleep).");
     EXPECT_TRUE(deviation_words(one).startsWith("~Stood still ~twice"));
     one.text = std::string(1, 'x');
     for (int i = 0; i < db::kDeviationKinds; ++i) {

@@ -163,7 +163,7 @@ enum class IrrigationSum : int32_t {
     kDebris    ///< Crumbs and spots at the start, left.
 };
 /// Why simulated time stood still. Stored as numbers in recordings: append only.
-enum class PauseCause : uint8_t { kMenu = 0, kHelp, kClosing, kFocus, kDevice };
+enum class PauseCause : uint8_t { kMenu = 0, kHelp, kClosing, kFocus, kDevice, kAsleep };
 [[nodiscard]] std::string_view event_name(EventKind kind) noexcept;
 
 /// True for events that stand in hundreds in a recording and say nothing by themselves: lost

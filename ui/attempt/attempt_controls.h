@@ -62,7 +62,8 @@ class AttemptControls {
     void update(const view::WindowEvents& events, const sim::WindowInput& totals,
                 const Pointer& pointer, double attempt_s, double now_s);
 
-    /// A pause that nobody pressed a key for: the device is gone. Only once the attempt has begun.
+    /// A pause that nobody pressed a key for: the device is gone, the computer slept. Only
+    /// once the attempt has begun.
     void interrupt(const char* title, sim::PauseCause cause);
 
     /// How the attempt is to end; set once, by a confirmed wish.

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "haptics/control_words.h"
 #include "haptics/window_hands.h"
@@ -130,6 +131,8 @@ class WindowSession {
         const curriculum::AttemptStatus status = runner_.status();
         if (space_mouse_ && status.device_lost)
             controls_.interrupt("Paused: the SpaceMouse is gone", sim::PauseCause::kDevice);
+        if (std::exchange(sleeps_, status.sleeps) != status.sleeps)
+            controls_.interrupt("Paused: the computer was asleep", sim::PauseCause::kAsleep);
         controls_.update(view_.events(), totals_, pointer, status.time_s, seconds());
         if (controls_.paused() != paused_) {
             paused_ = controls_.paused();
@@ -248,6 +251,7 @@ class WindowSession {
     bool scripted_ = false, space_mouse_ = false, one_hand_ = false, read_on_ = false,
          lens_told_ = false;
     bool screenshot_asked_ = false, paused_ = false, remember_size_ = false;
+    int sleeps_ = 0;
     std::string notice_;
     Clock::time_point notice_until_{};
 };

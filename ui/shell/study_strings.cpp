@@ -40,6 +40,7 @@ namespace {
     QT_TRANSLATE_NOOP("Deviation", "asked before closing"),
     QT_TRANSLATE_NOOP("Deviation", "another window in front"),
     QT_TRANSLATE_NOOP("Deviation", "the device was gone"),
+    QT_TRANSLATE_NOOP("Deviation", "the computer was asleep"),
     QT_TRANSLATE_NOOP("Deviation", "Stood still %1, %2 in all (%3)."),
     QT_TRANSLATE_NOOP("Deviation", "The computer fell behind %1, %2 in all."),
     QT_TRANSLATE_NOOP("Deviation", "Does not count: %1."),

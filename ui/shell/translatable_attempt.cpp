@@ -81,6 +81,7 @@ namespace {
     QT_TRANSLATE_NOOP("Attempt", "Paused: another window is in front"),
     QT_TRANSLATE_NOOP("Attempt", "Paused: the gamepad is gone"),
     QT_TRANSLATE_NOOP("Attempt", "Paused: the SpaceMouse is gone"),
+    QT_TRANSLATE_NOOP("Attempt", "Paused: the computer was asleep"),
     QT_TRANSLATE_NOOP("Attempt", "Finish"),
     QT_TRANSLATE_NOOP("Attempt", "Finish the attempt?"),
     QT_TRANSLATE_NOOP("Attempt", "Leave the attempt?"),

@@ -9729,6 +9729,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>brak urządzenia</translation>
     </message>
     <message>
+        <source>the computer was asleep</source>
+        <translation>uśpienie komputera</translation>
+    </message>
+    <message>
         <source>Stood still %1, %2 in all (%3).</source>
         <translation>Czas stał %1, łącznie %2 (%3).</translation>
     </message>
@@ -13571,6 +13575,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Paused: the SpaceMouse is gone</source>
         <translation>Pauza: brak SpaceMouse</translation>
+    </message>
+    <message>
+        <source>Paused: the computer was asleep</source>
+        <translation>Pauza: komputer był uśpiony</translation>
     </message>
     <message>
         <source>Finish</source>
