@@ -43,7 +43,7 @@ CourseStanding standing_in(Store& store, int64_t user_id, const AssignmentRecord
         // On a server a row can be added by SQL, with any date.
         if (standing.progress.mastered && each.course_id == standing.course.id &&
             each.course_version == standing.course.version &&
-            each.mastered_utc == standing.progress.mastered_utc)
+            may_stand(each, standing.progress.mastered_utc))
             standing.certificate = each;
     return standing;
 }

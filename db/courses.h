@@ -44,4 +44,12 @@ class Courses {
     Connection& connection_;
 };
 
+/// Whether a certificate that is there agrees with attempts that say since when the course is
+/// mastered: not dated before that, nor after its own day. Attempts that are verified later may
+/// show that somebody was there earlier. Both as UTC text.
+[[nodiscard]] inline bool may_stand(const CertificateRecord& there,
+                                    const std::string& mastered_utc) noexcept {
+    return there.mastered_utc >= mastered_utc && there.mastered_utc <= there.issued_utc;
+}
+
 }  // namespace placode::db
