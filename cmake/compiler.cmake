@@ -249,7 +249,7 @@ function(placode_ui_programs)
   set_target_properties(placode_shell PROPERTIES AUTOMOC ON AUTORCC ON LINKER_LANGUAGE CXX
     AUTOGEN_ORIGIN_DEPENDS OFF)
   target_link_libraries(placode_shell PUBLIC placode_reports placode_diagnostics Qt6::Widgets Qt6::PrintSupport
-    PRIVATE Qt6::DBus)
+    Qt6::DBus)
   placode_precompile(placode_shell <QApplication> <QCheckBox> <QComboBox> <QDateTime> <QFile> <QGridLayout> <QHBoxLayout>
     <QHeaderView> <QLabel> <QLineEdit> <QMainWindow> <QMessageBox> <QPainter> <QPlainTextEdit> <QPointer> <QProcess>
     <QPushButton> <QRegularExpression> <QScrollArea> <QTableWidget> <QTimer> <QToolButton> <QVBoxLayout>)
