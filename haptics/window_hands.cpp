@@ -19,7 +19,7 @@ constexpr double kFollowS = 0.025;       // Bridges the 60 Hz of the window at 1
 constexpr double kFollowDepthS = 0.050;  // A wheel notch is a step; 95 % of it in 0.15 s.
 constexpr double kTurnCapRadS = 4;       // of a needle: its point at 20 mm/s
 constexpr double kEaseS = 0.050;         // 95 % of the speed in 0.15 s.
-constexpr double kJawRadS = 1.2;         // A button is pressed at once, a hand closes in 0.2 s.
+constexpr double kJawRadS = 1.2;  // A button is pressed at once, a hand closes in 0.2 to 0.3 s.
 // A button knows open and closed only: the working opening, not the widest, or jaws would gather
 // what lies beside the place that is meant, and each snip would be as long as the blades.
 constexpr double kGrasperOpening = 0.4, kBladeOpening = 0.3;
