@@ -64,6 +64,9 @@ struct EntryCheck {
                                      const std::filesystem::path& entry_json, bool replay,
                                      const EntryProgress& progress);
 [[nodiscard]] Json read_entry(const std::filesystem::path& entry_json);
+/// For the board: with all that `board_text` prints, whatever its benchmark. Throws BatchError that
+/// names file and key.
+[[nodiscard]] Json read_board_entry(const std::filesystem::path& entry_json);
 
 /// The leader board as Markdown: best first, entries of all tasks by the protocol's own seeds
 /// before those by held-out seeds. `checks[i]` belongs to `entries[i]`.

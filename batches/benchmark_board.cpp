@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "batches/batch_error.h"
 #include "batches/benchmark.h"
 #include "sim/core/number_text.h"
 
@@ -30,7 +31,41 @@ std::string state_cell(const EntryCheck& check) {
     return check.replayed ? "replayed" : "not replayed";
 }
 
+using Is = bool (Json::*)() const noexcept;
+
+/// The first key that the board needs and `in` has not, or of another type; nullptr: none.
+const char* wrong_key(const Json& in, std::initializer_list<std::pair<const char*, Is>> needed) {
+    for (const auto& [key, is] : needed)
+        if (!in.is_object() || !in.contains(key) || !(in.at(key).*is)()) return key;
+    return nullptr;
+}
+
 }  // namespace
+
+Json read_board_entry(const std::filesystem::path& entry_json) {
+    Json entry = read_entry(entry_json);
+    const auto need = [&](const std::string& place, const char* wrong) {
+        if (wrong != nullptr)
+            throw BatchError(BatchError::Kind::kBadInput,
+                             entry_json.string() + ": " + place + wrong +
+                                 " is missing or of another type; expected an entry.json of "
+                                 "`placodectl bench tasks`");
+    };
+    need("/", wrong_key(entry, {{"name", &Json::is_string},
+                                {"score", &Json::is_number},
+                                {"complete", &Json::is_boolean},
+                                {"held_out_seeds", &Json::is_boolean},
+                                {"seeds", &Json::is_array},
+                                {"build", &Json::is_string},
+                                {"tasks", &Json::is_array}}));
+    for (size_t i = 0; i < entry.at("tasks").size(); ++i)
+        need("/tasks/" + std::to_string(i) + "/",
+             wrong_key(entry.at("tasks")[i], {{"task", &Json::is_string},
+                                              {"points", &Json::is_number},
+                                              {"passed", &Json::is_number_integer},
+                                              {"attempts", &Json::is_number_integer}}));
+    return entry;
+}
 
 std::string board_text(const Protocol& protocol, const std::vector<Json>& entries,
                        const std::vector<EntryCheck>& checks) {

@@ -151,12 +151,17 @@ class Check {
         double sum = 0;
         for (const Json& task : entry_.at("tasks")) {
             double points = 0;
-            int attempts = 0;
+            int attempts = 0, passed = 0;
             for (const Json& attempt : entry_.at("attempts")) {
                 if (attempt.at("task") != task.at("task")) continue;
                 points += attempt.at("points").get<double>();
                 ++attempts;
+                passed += attempt.at("passed").get<bool>() ? 1 : 0;
             }
+            // The board prints both.
+            if (task.at("attempts") != attempts || task.at("passed") != passed)
+                says("entry.json", "says other numbers of attempts or passes of " +
+                                       task.at("task").get<std::string>() + " than there are");
             if (attempts == 0 ||
                 std::abs(points / attempts - task.at("points").get<double>()) > 1e-9)
                 says("entry.json", "the mean of " + task.at("task").get<std::string>() +

@@ -103,6 +103,15 @@ TEST_F(BenchTasks, ForgedEntriesAreRefuted) {
     forged["score"] = 100;
     write_entry("points", forged);
     expect_refuted("points", "its score is not the mean over its tasks");
+    // What the board prints beside the points.
+    forged = json;
+    forged["tasks"][1]["passed"] = 2;
+    write_entry("points", forged);
+    expect_refuted("points", "other numbers of attempts or passes of trace_contour");
+    forged = json;
+    forged["tasks"][0]["attempts"] = 5;
+    write_entry("points", forged);
+    expect_refuted("points", "other numbers of attempts or passes of touch_targets");
     forged = json;
     forged["attempts"].erase(3);
     write_entry("points", forged);
@@ -164,6 +173,37 @@ TEST_F(BenchTasks, OtherOperatorsEnterByTheirRecordingsAndTheBoardRanks) {
     EXPECT_THAT(text, HasSubstr("| refuted |"));
     ASSERT_EQ(bench("--board quick.md --no-replay --entries n/entry.json").status, 0);
     EXPECT_THAT(read_text(file("quick.md")), HasSubstr("| not replayed |"));
+}
+
+TEST_F(BenchTasks, TheBoardRefusesWhatItCannotPrintBeforeItReplays) {
+    ASSERT_EQ(bench("--policy nothing --out n --tasks trace_contour").status, 0);
+    const Json made = entry("n");
+    const auto expect_named = [&](const Json& json, const std::string& place) {
+        fs::create_directories(file("o"));
+        write_entry("o", json);
+        const Outcome board = bench("--board board.md --entries n/entry.json o/entry.json");
+        EXPECT_EQ(board.status, 2) << place << board.err;
+        EXPECT_THAT(board.err, HasSubstr("o/entry.json: " + place));
+        EXPECT_FALSE(fs::exists(file("board.md"))) << place;
+    };
+    for (const char* key : {"name", "score", "complete", "held_out_seeds", "seeds", "build"}) {
+        Json json = made;
+        json["benchmark"] = "another";
+        json.erase(key);
+        expect_named(json, std::string("/") + key);
+    }
+    Json json = made;
+    json["benchmark"] = "another";
+    json["tasks"][0]["passed"] = "all";
+    expect_named(json, "/tasks/0/passed");
+    json["tasks"][0] = 3;
+    expect_named(json, "/tasks/0/task");
+    // Of another benchmark, but whole: it stands on the board as refuted.
+    json = made;
+    json["benchmark"] = "another";
+    write_entry("o", json);
+    ASSERT_EQ(bench("--board board.md --entries n/entry.json o/entry.json").status, 0);
+    EXPECT_THAT(read_text(file("board.md")), HasSubstr("| refuted |"));
 }
 
 TEST_F(BenchTasks, BadOrdersAreNamed) {

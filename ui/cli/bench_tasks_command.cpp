@@ -106,8 +106,10 @@ int board(const Context& context, const BenchTasksOptions& options) {
     std::vector<Json> entries;
     std::vector<batches::EntryCheck> checks;
     Json json{{"board", options.board}, {"entries", Json::array()}};
+    // What cannot be printed is refused before hours of replays and not behind them.
+    for (const std::string& file : options.entries)
+        entries.push_back(batches::read_board_entry(file));
     for (const std::string& file : options.entries) {
-        entries.push_back(batches::read_entry(file));
         checks.push_back(batches::check_entry(protocol, file, !options.no_replay, tell));
         json["entries"].push_back({{"entry", file},
                                    {"replayed", checks.back().replayed},
