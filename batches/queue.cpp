@@ -168,6 +168,11 @@ PullOutcome pull_shards(db::WorkQueue& queue, const PullOrder& order) {
         } catch (const BatchError& error) {
             queue.give_back(*lease, error.what());
             outcome.failed.push_back("shard " + std::to_string(lease->shard) + ": " + error.what());
+        } catch (const std::exception& error) {
+            // A task that cannot be built, a recording that cannot be simulated. Where the server
+            // is gone, this throws as well.
+            queue.give_back(*lease, error.what());
+            outcome.failed.push_back("shard " + std::to_string(lease->shard) + ": " + error.what());
         }
     }
     outcome.stopped = true;

@@ -23,8 +23,13 @@ environment::Environment& Worker::environment_for(const std::string& task_id,
         options.scene_changes_json = changes.dump();
     (void)task("id", task_id);  // still the planned one?
     const Json& entry = *entry_of(manifest_, "id", task_id);
-    made = std::make_unique<environment::Environment>(fields_, entry.at("ref").get<std::string>(),
-                                                      options);
+    // What was compared is what is used: a path of the computer that planned it means nothing here.
+    const std::filesystem::path brought =
+        own_input(folder_, entry.at("sha256").get<std::string>(), ".json");
+    made = std::make_unique<environment::Environment>(
+        fields_,
+        std::filesystem::exists(brought) ? brought.string() : entry.at("ref").get<std::string>(),
+        options);
     return *made;
 }
 

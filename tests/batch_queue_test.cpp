@@ -145,6 +145,44 @@ TEST_F(BatchQueue, RecordingsAndATaskOfOnesOwnGoAlong) {
     EXPECT_EQ(read_text(file("there/result.jsonl")), read_text(file("here/result.jsonl")));
 }
 
+TEST_F(BatchQueue, RolloutsOfATaskOfOnesOwnTakeTheCopyThatWentAlong) {
+    write_text(file("coarse.json"), kCoarseScene);
+    const std::string published = read_text(PLACODE_SOURCE_DIR "/data/tasks/touch_targets.json");
+    std::string mine = published;
+    const std::string settle = "\"settle_s\": 0.3";
+    ASSERT_NE(mine.find(settle), std::string::npos);
+    mine.replace(mine.find(settle), settle.size(), "\"settle_s\": 0.1");
+    write_text(file("mine.json"), mine);
+    for (const char* name : {"here", "there"}) {
+        const Outcome planned =
+            ctl("batch plan rollouts --tasks mine.json --policies nothing,random --seeds 1 "
+                "--time-limit 0.3 --scene-changes coarse.json --shard-size 1 --out " +
+                std::string(name));
+        ASSERT_EQ(planned.status, 0) << planned.err;
+    }
+    ASSERT_EQ(ctl("batch run here --jobs 1").status, 0);
+    ASSERT_EQ(ctl("batch merge here").status, 0);
+    ASSERT_EQ(owner("batch queue there").status, 0);
+    // Once without the file, once with another one of its name.
+    fs::remove(file("mine.json"));
+    const Outcome pulled = station("--json batch pull");
+    EXPECT_EQ(pulled.status, 0) << pulled.out << pulled.err;
+    EXPECT_EQ(number_in(pulled.out, "done"), 2);
+    EXPECT_EQ(owner("batch collect there").status, 0);
+    ASSERT_EQ(ctl("batch merge there").status, 0);
+    EXPECT_EQ(read_text(file("there/result.jsonl")), read_text(file("here/result.jsonl")));
+    ASSERT_EQ(owner("batch queue there --remove").status, 0);
+    fs::remove_all(file("there/shards"));
+    fs::create_directory(file("there/shards"));
+    write_text(file("mine.json"), mine);
+    ASSERT_EQ(owner("batch queue there").status, 0);
+    write_text(file("mine.json"), published);
+    EXPECT_EQ(station("batch pull").status, 0);
+    EXPECT_EQ(owner("batch collect there").status, 0);
+    ASSERT_EQ(ctl("batch merge there").status, 0);
+    EXPECT_EQ(read_text(file("there/result.jsonl")), read_text(file("here/result.jsonl")));
+}
+
 TEST_F(BatchQueue, RefusesWhatCannotBeDoneElsewhereAndWhoMayNot) {
     plan("a");
     const Outcome file_store = ctl("batch queue a");
