@@ -4,10 +4,13 @@
 
 #include <chrono>
 #include <map>
+#include <new>
+#include <system_error>
 
 #include "batches/batch_error.h"
 #include "batches/checksum.h"
 #include "batches/shard.h"
+#include "db/store_error.h"
 
 namespace placode::batches {
 namespace {
@@ -53,7 +56,7 @@ class Bench {
         write_whole(folder_ / "manifest.json", queue.batch(seal).manifest);
         manifest_ = read_manifest(folder_);
         if (manifest_.seal != seal)
-            throw BatchError(Kind::kFailed, "the queue's manifest is of another batch");
+            throw BatchError(Kind::kBadInput, "the queue's manifest is of another batch");
         for (const Json& task : manifest_.tasks)
             if (is_file(task)) fetch(task.at("sha256"), ".json");
     }
@@ -70,7 +73,7 @@ class Bench {
     std::string perform(int shard, const std::string& build, const GoOn& go_on,
                         const ShardProgress& progress) {
         if (shard < 0 || shard >= manifest_.shards())
-            throw BatchError(Kind::kFailed, "the queue names a shard that the batch has not");
+            throw BatchError(Kind::kBadInput, "the queue names a shard that the batch has not");
         const auto [first, behind] = manifest_.range(shard);
         for (size_t i = first; i < behind; ++i)
             if (manifest_.items[i].contains("recording")) fetch(manifest_.items[i].at("sha256"));
@@ -87,7 +90,7 @@ class Bench {
     void fetch(const std::string& sha, const std::string& ending = {}) {
         // A name from elsewhere: nothing but a checksum becomes a file here.
         if (sha.size() != 64 || sha.find_first_not_of("0123456789abcdef") != std::string::npos)
-            throw BatchError(Kind::kFailed, "the queue's manifest names no checksum: " + sha);
+            throw BatchError(Kind::kBadInput, "the queue's manifest names no checksum: " + sha);
         const fs::path path = own_input(folder_, sha, ending);
         if (!fs::exists(path)) write_whole(path, queue_.input(sha));
     }
@@ -96,6 +99,15 @@ class Bench {
     fs::path folder_;
     Manifest manifest_;
 };
+
+/// A full disk, no memory: the shard has nothing to do with it, and the next would go the same way.
+bool of_this_computer(const std::exception& error) {
+    if (const auto* refused = dynamic_cast<const BatchError*>(&error))
+        return refused->kind() != Kind::kBadInput;
+    if (const auto* file = dynamic_cast<const db::StoreError*>(&error)) return db::may_pass(*file);
+    return dynamic_cast<const std::system_error*>(&error) != nullptr ||
+           dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+}
 
 }  // namespace
 
@@ -148,6 +160,7 @@ PullOutcome pull_shards(db::WorkQueue& queue, const PullOrder& order) {
         try {
             if (at != lease->seal) {
                 bench.reset();
+                at.clear();
                 bench = std::make_unique<Bench>(queue, order.folder, lease->seal);
                 at = lease->seal;
             }
@@ -165,14 +178,14 @@ PullOutcome pull_shards(db::WorkQueue& queue, const PullOrder& order) {
             }
             queue.give_back(*lease, {});
             break;
-        } catch (const BatchError& error) {
-            queue.give_back(*lease, error.what());
-            outcome.failed.push_back("shard " + std::to_string(lease->shard) + ": " + error.what());
         } catch (const std::exception& error) {
-            // A task that cannot be built, a recording that cannot be simulated. Where the server
-            // is gone, this throws as well.
-            queue.give_back(*lease, error.what());
             outcome.failed.push_back("shard " + std::to_string(lease->shard) + ": " + error.what());
+            // Where the server is gone, giving back throws as well.
+            if (of_this_computer(error)) {
+                queue.give_back(*lease, {});
+                break;
+            }
+            queue.give_back(*lease, error.what());
         }
     }
     outcome.stopped = true;

@@ -39,7 +39,8 @@ struct PullOutcome {
     std::vector<std::string> failed;  ///< "shard 3: problem".
 };
 
-/// Shards that nobody is at, one after the other, until none is left or `go_on` says so.
+/// Shards that nobody is at, one after the other, until none is left or `go_on` says so. A problem
+/// of this computer, such as a full disk, stops it as well and costs the shard no try.
 [[nodiscard]] PullOutcome pull_shards(db::WorkQueue& queue, const PullOrder& order);
 
 struct Collected {

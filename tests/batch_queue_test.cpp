@@ -8,7 +8,7 @@
 #include <chrono>
 #include <thread>
 
-#include "db/work_queue.h"
+#include "batches/queue.h"
 #include "tests/coarse_scene.h"
 #include "tests/programs_fixture.h"
 
@@ -60,11 +60,12 @@ class BatchQueue : public Programs {
     [[nodiscard]] Outcome station(const std::string& arguments) const {
         return run("placodectl", station_line() + arguments, environment());
     }
-    void plan(const std::string& name) const {
+    void plan(const std::string& name, const std::string& seeds = "1-3") const {
         write_text(file("coarse.json"), kCoarseScene);
         const Outcome planned =
             ctl("batch plan rollouts --out " + name +
-                " --tasks touch_targets --policies nothing,random --seeds 1-3 --time-limit 0.3 "
+                " --tasks touch_targets --policies nothing,random --seeds " + seeds +
+                " --time-limit 0.3 "
                 "--scene-changes coarse.json --shard-size 1");
         ASSERT_EQ(planned.status, 0) << planned.err;
     }
@@ -181,6 +182,67 @@ TEST_F(BatchQueue, RolloutsOfATaskOfOnesOwnTakeTheCopyThatWentAlong) {
     EXPECT_EQ(owner("batch collect there").status, 0);
     ASSERT_EQ(ctl("batch merge there").status, 0);
     EXPECT_EQ(read_text(file("there/result.jsonl")), read_text(file("here/result.jsonl")));
+}
+
+TEST_F(BatchQueue, AComputerWithoutRoomCostsNoShardATry) {
+    plan("a");
+    ASSERT_EQ(owner("batch queue a").status, 0);
+    const batches::Manifest manifest = batches::read_manifest(file("a"));
+    db::WorkQueue queue(db::parse_store_url(server().station_url(database_)));
+    batches::PullOrder order;
+    order.build = manifest.build;
+    order.worker = "one without room";
+    order.folder = file("full");
+    // The manifest cannot be written where a folder is; a full disk says the same.
+    fs::create_directories(order.folder / manifest.seal.substr(0, 16) / "manifest.json" / "x");
+    for (int i = 0; i <= db::WorkQueue::kMostTries; ++i) {
+        const batches::PullOutcome outcome = batches::pull_shards(queue, order);
+        EXPECT_TRUE(outcome.stopped);
+        EXPECT_EQ(outcome.done, 0);
+        ASSERT_EQ(outcome.failed.size(), 1U);
+        EXPECT_THAT(outcome.failed[0], HasSubstr("shard 0: "));
+        EXPECT_THAT(outcome.failed[0], HasSubstr("cannot be written"));
+    }
+    EXPECT_TRUE(queue.states()[0].failed.empty());
+    EXPECT_EQ(queue.states()[0].held, 0);
+    order.folder = file("room");
+    EXPECT_EQ(batches::pull_shards(queue, order).done, 6);
+}
+
+TEST_F(BatchQueue, AfterABatchThatIsDamagedTheOneBeforeItGoesOn) {
+    plan("a");
+    plan("b", "4-6");
+    ASSERT_EQ(owner("batch queue a").status, 0);
+    ASSERT_EQ(owner("batch queue b").status, 0);
+    const batches::Manifest first = batches::read_manifest(file("a"));
+    const std::string first_is = " WHERE seal = '" + first.seal + "'",
+                      second_is = " WHERE seal <> '" + first.seal + "'";
+    RawConnection raw = server().connect(database_);
+    ASSERT_TRUE(raw.run("UPDATE placode_work.batches SET manifest = '{}'" + second_is));
+    // The last shard of the first is held, until one of the second has failed.
+    ASSERT_TRUE(
+        raw.run("UPDATE placode_work.shards SET state = 1, until = now() + INTERVAL '1 "
+                "hour'" +
+                first_is + " AND shard = 5"));
+    db::WorkQueue queue(db::parse_store_url(server().station_url(database_)));
+    batches::PullOrder order;
+    order.build = first.build;
+    order.worker = "one";
+    order.folder = file("room");
+    order.go_on = [&] {
+        const std::string failed = raw.value("SELECT COUNT(*) FROM placode_work.shards" +
+                                             second_is + " AND problem <> ''");
+        if (failed != "0") {
+            EXPECT_TRUE(
+                raw.run("UPDATE placode_work.shards SET state = 0" + first_is + " AND token = 0"));
+        }
+        return true;
+    };
+    const batches::PullOutcome outcome = batches::pull_shards(queue, order);
+    EXPECT_EQ(outcome.done, 6);
+    EXPECT_FALSE(outcome.stopped);
+    EXPECT_TRUE(queue.states()[0].failed.empty());
+    EXPECT_EQ(queue.states()[1].failed.size(), 6U);
 }
 
 TEST_F(BatchQueue, RefusesWhatCannotBeDoneElsewhereAndWhoMayNot) {
