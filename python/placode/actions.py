@@ -5,6 +5,7 @@
 import numpy as np
 
 from . import _placode
+from .errors import BadArgument
 from .spaces import Box
 
 _NAMES = ("x", "y", "z", "roll", "jaw", "cut", "coag", "engaged")
@@ -20,6 +21,7 @@ _ABILITIES = {
     "grasper": ("roll", "jaw"),
     "scissors": ("roll", "jaw"),
     "needle_driver": ("roll", "jaw"),
+    "irrigator": ("cut", "coag"),  # jet and suction
     "scope": (),
 }
 
@@ -27,7 +29,7 @@ _ABILITIES = {
 def _used(kind, shares_port):
     """Numbers that do something for this kind of tool."""
     if kind not in _ABILITIES:
-        raise ValueError(f"no abilities known of a tool of kind {kind!r}")
+        raise BadArgument(f"a tool of kind {kind!r}; expected one of {', '.join(_ABILITIES)}")
     return ["x", "y", "z", *_ABILITIES[kind], *(["engaged"] if shares_port else [])]
 
 
@@ -80,7 +82,6 @@ class ActionMap:
         """The action of placode.h, and whether the task is declared done."""
         action = np.asarray(action, dtype=np.float64)
         if action.shape != self.space.shape:
-            from .errors import BadArgument
             raise BadArgument(f"an action of shape {action.shape}; expected {self.space.shape}")
         out = self.rest.copy() if out is None else out
         if self.finish_action:

@@ -5,10 +5,11 @@
 import unittest
 
 import numpy as np
-from test_environment import tiny
+from test_environment import KEPT, tiny
 
 import placode
 from placode import errors, policies, wrappers
+from placode.actions import ActionMap
 
 
 class Options(unittest.TestCase):
@@ -33,6 +34,19 @@ class Options(unittest.TestCase):
             placode.make("Placode/Nope-v0")
         with self.assertRaisesRegex(errors.BadArgument, "task: .*None"):
             placode.make(None)
+
+    def test_every_task_can_be_made(self):
+        tasks = KEPT.tasks()
+        self.assertIn("irrigate", tasks)
+        for task in tasks:
+            with self.subTest(task=task):
+                self.assertTrue(placode.make(task, fields=KEPT).action_names)
+        self.assertEqual(placode.make("irrigate", fields=KEPT).action_names,
+                         [f"tool0.{name}" for name in ("x", "y", "z", "cut", "coag")])
+
+    def test_a_tool_of_an_unknown_kind_is_refused(self):
+        with self.assertRaisesRegex(errors.BadArgument, "'laser'.*irrigator"):
+            ActionMap([("laser", "right")], absolute=False)
 
     def test_seeds(self):
         for seed in (1.7, -1, True, "1", 2**64):
