@@ -23,10 +23,17 @@ Batch::Batch(std::vector<Environment*> environments, Autoreset autoreset, int th
             throw EnvironmentError(EnvironmentError::Kind::kBadArgument,
                                    "all environments of a batch have the same task");
     const size_t extra = std::min(static_cast<size_t>(threads), environments_.size()) - 1;
-    for (size_t i = 0; i < extra; ++i) threads_.emplace_back([this] { run(); });
+    try {
+        for (size_t i = 0; i < extra; ++i) threads_.emplace_back([this] { run(); });
+    } catch (...) {  // the system gives no more: those begun must not outlive this
+        end();
+        throw;
+    }
 }
 
-Batch::~Batch() {
+Batch::~Batch() { end(); }
+
+void Batch::end() noexcept {
     {
         const std::lock_guard lock(mutex_);
         stop_ = true;

@@ -33,7 +33,8 @@ struct BatchOutput {
 
 class Batch {
  public:
-    /// All of one task and one set of options; they must outlive this.
+    /// All of one task and one set of options; they must outlive this. Throws std::system_error
+    /// where the system gives no more threads.
     Batch(std::vector<Environment*> environments, Autoreset autoreset, int threads);
     ~Batch();
     Batch(const Batch&) = delete;
@@ -61,6 +62,7 @@ class Batch {
     void step_one(size_t i, std::span<const double> action, int frames, const BatchOutput& out);
     void begin_again(size_t i);
     void run();
+    void end() noexcept;
     void work_on();
 
     std::vector<Environment*> environments_;

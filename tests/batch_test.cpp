@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/environment_fixture.h"
+#include "tests/few_threads.h"
 
 namespace placode::environment {
 namespace THIS_TEST {
@@ -104,6 +105,14 @@ TEST(Batch, SaysWhatIsWrongAndStaysUsable) {
     Environment other(group.fields, "trace_contour", test::coarse());
     EXPECT_THROW(Batch({group.list[0], &other}, Autoreset::kDisabled, 1), EnvironmentError);
     EXPECT_THROW(Batch({}, Autoreset::kDisabled, 1), EnvironmentError);
+}
+
+TEST(Batch, WhereNoThreadIsToBeHadThoseThatBeganAreEnded) {
+    if (!test::kThreadsCanRunOut) GTEST_SKIP() << "not with a sanitizer";
+    Environment one(std::make_shared<FieldCache>(), "touch_targets", test::coarse());
+    const std::vector<Environment*> list(64, &one);
+    EXPECT_EQ(test::with_few_threads([&] { const Batch batch(list, Autoreset::kDisabled, 64); }),
+              "no thread");
 }
 
 }  // namespace THIS_TEST

@@ -9,6 +9,8 @@
 #include <chrono>
 #include <thread>
 
+#include "tests/few_threads.h"
+
 using placode::sim::Workers;
 
 namespace THIS_TEST {
@@ -35,6 +37,11 @@ TEST(Workers, DoesEveryJobOnceAndSharesThem) {
         for (const auto& calls : c.calls) EXPECT_EQ(calls.load(), 50);
         EXPECT_EQ(c.others.load() > 0, threads > 1);
     }
+}
+
+TEST(Workers, WhereNoThreadIsToBeHadThoseThatBeganAreEnded) {
+    if (!placode::test::kThreadsCanRunOut) GTEST_SKIP() << "not with a sanitizer";
+    EXPECT_EQ(placode::test::with_few_threads([] { const Workers workers(64); }), "no thread");
 }
 
 TEST(Workers, FewerThanOneThreadMeansTheCallerAlone) {

@@ -75,6 +75,17 @@ struct Ticket {
 }  // namespace
 
 struct Workers::Impl {
+    Impl() = default;
+    /// Also where the constructor of Workers throws: the system gives no more threads.
+    ~Impl() {
+        stop.store(true, std::memory_order_release);
+        run.fetch_add(1, std::memory_order_release);
+        run.notify_all();
+        for (auto& thread : team) thread.join();
+    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
     int threads = 1;
     bool adaptive = true;
     // Of the current run. Changed only while no job of an older run is open, but a thread that
@@ -163,12 +174,7 @@ Workers::Workers(int threads, Team team) : impl_(std::make_unique<Impl>()) {
     }
 }
 
-Workers::~Workers() {
-    impl_->stop.store(true, std::memory_order_release);
-    impl_->run.fetch_add(1, std::memory_order_release);
-    impl_->run.notify_all();
-    for (auto& thread : impl_->team) thread.join();
-}
+Workers::~Workers() = default;
 
 int Workers::threads() const noexcept { return impl_->threads; }
 int64_t Workers::stalls() const noexcept { return impl_->stalls.load(std::memory_order_relaxed); }

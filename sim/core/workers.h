@@ -21,7 +21,8 @@ class Workers {
         kFixed,     ///< Always offers jobs to all threads; for tests and measurements.
     };
 
-    /// `threads` >= 1 counts the calling thread; 1 starts no thread at all.
+    /// `threads` >= 1 counts the calling thread; 1 starts no thread at all. Throws
+    /// std::system_error where the system gives no more threads.
     explicit Workers(int threads, Team team = Team::kAdaptive);
     ~Workers();
     Workers(const Workers&) = delete;
