@@ -48,10 +48,14 @@ void open_view(const environment::Environment& environment, placode_picture& pic
     settings.height = picture.height;
     settings.offscreen = true;
     settings.adaptive = false;
-    picture.scene = environment.field().scene;
+    const std::shared_ptr<const sim::Scene> scene = environment.field().scene;
+    // A picture has a scene only while it has a view of it: when none can be made, the next call
+    // tries again.
+    picture.scene.reset();
     picture.view.reset();
     picture.view = std::make_unique<view::FetoscopeView>(
-        view::view_field(*picture.scene, environment.field().seed), settings);
+        view::view_field(*scene, environment.field().seed), settings);
+    picture.scene = scene;
 }
 
 }  // namespace

@@ -211,6 +211,29 @@ TEST_F(Interface, PicturesOfTwoEnvironments) {
     placode_environment_free(other);
 }
 
+TEST_F(Interface, APictureThatCouldNotBeMadeAnewIsRefusedUntilItCan) {
+    options_.fields = 2;
+    open("touch_targets");
+    ASSERT_EQ(placode_reset(environment_, 1), PLACODE_OK);
+    placode_picture* picture = placode_picture_new(environment_, 160, 120);
+    if (picture == nullptr) GTEST_SKIP() << placode_error(environment_);
+    std::vector<uint8_t> rgb(160 * 120 * 3);
+    EXPECT_EQ(placode_draw(environment_, picture, rgb.data(), rgb.size()), PLACODE_OK);
+    const char* fonts = std::getenv("PLACODE_FONTS");
+    const std::string before = fonts != nullptr ? fonts : "";
+    ::setenv("PLACODE_FONTS", "/no fonts are here", 1);
+    // Another field, then the first again: neither has a view any more.
+    for (const uint64_t seed : {2, 2, 1}) {
+        ASSERT_EQ(placode_reset(environment_, seed), PLACODE_OK);
+        EXPECT_EQ(placode_draw(environment_, picture, rgb.data(), rgb.size()), PLACODE_NO_PICTURE);
+        EXPECT_THAT(placode_error(environment_), HasSubstr("font"));
+    }
+    fonts != nullptr ? ::setenv("PLACODE_FONTS", before.c_str(), 1) : ::unsetenv("PLACODE_FONTS");
+    EXPECT_EQ(placode_draw(environment_, picture, rgb.data(), rgb.size()), PLACODE_OK)
+        << placode_error(environment_);
+    placode_picture_free(picture);
+}
+
 TEST_F(Interface, ABatchGoesThroughTheSameFunctions) {
     options_.time_limit_s = 0.1;
     open("touch_targets");
