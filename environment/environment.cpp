@@ -252,9 +252,11 @@ std::span<const sim::Event> Environment::events() const { return episode_.book.r
 
 const sim::Recording& Environment::recording() const {
     need_begun();
-    if (!options_.record)
+    // Not the option: an attempt that was gone back to is as it was begun, perhaps elsewhere.
+    if (!episode_.book.keeps_inputs())
         throw EnvironmentError(Kind::kBadArgument,
-                               "nothing was recorded; make the environment with the option record");
+                               "nothing was recorded; make the environment in which the attempt "
+                               "begins with the option record");
     if (!ended())
         throw EnvironmentError(Kind::kRunning,
                                "the attempt is not over: step with finish, then write it");

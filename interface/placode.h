@@ -224,7 +224,9 @@ PLACODE_API placode_status placode_state_hash(placode_environment* environment, 
 /* --- recordings --- */
 
 /* The attempt that has just ended, as a new file for `placodectl score` and `import`, or to watch
- * with `placode-sim`. Needs the option `record`. The file says that no person made it. */
+ * with `placode-sim`. Needs the option `record` of the environment in which the attempt began:
+ * a moment saved without it has no inputs elsewhere either. The file says that no person made it.
+ */
 PLACODE_API placode_status placode_write_recording(placode_environment* environment,
                                                    const char* path);
 

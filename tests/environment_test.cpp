@@ -174,6 +174,39 @@ TEST(Environment, AMomentGoesOnAsBeforeHereAndElsewhere) {
               EnvironmentError::Kind::kOtherTask);
 }
 
+TEST(Environment, AMomentOfAnAttemptWithoutInputsGivesNoRecordingElsewhere) {
+    const auto shared = fields();
+    EnvironmentOptions options = coarse();
+    Environment without(shared, "touch_targets", options);
+    options.record = true;
+    Environment with(shared, "touch_targets", options);
+    const std::vector<double> action(with.tools() * kActionSize, 0.0);
+    SavedMoment moment;
+    without.reset(1);
+    without.step(action, 5);
+    without.save(moment);
+    with.restore(moment);
+    with.step(action, 5, true);
+    ASSERT_TRUE(with.ended());
+    EXPECT_EQ(refused([&] { (void)with.recording(); }, "option record"),
+              EnvironmentError::Kind::kBadArgument);
+    // The other way round its inputs are there, and it replays.
+    with.reset(1);
+    with.step(action, 5);
+    with.save(moment);
+    without.restore(moment);
+    without.step(action, 5, true);
+    EXPECT_TRUE(curriculum::replay(without.recording(), 1).identical);
+    // A new attempt is as the environment is made.
+    with.reset(1);
+    with.step(action, 5, true);
+    EXPECT_EQ(with.recording().inputs.size(), 5U);
+    without.reset(1);
+    without.step(action, 5, true);
+    EXPECT_EQ(refused([&] { (void)without.recording(); }, "option record"),
+              EnvironmentError::Kind::kBadArgument);
+}
+
 TEST(Environment, EnvironmentsShareTheField) {
     const auto shared = fields();
     Environment one(shared, "touch_targets", coarse()), two(shared, "touch_targets", coarse());
