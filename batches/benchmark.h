@@ -53,6 +53,9 @@ using EntryProgress = std::function<bool(const std::string& what)>;
 Json make_entry(const Protocol& protocol, const EntryOrder& order,
                 const std::filesystem::path& folder, const EntryProgress& progress);
 
+/// An entry is named by its folder or by the entry.json in it: the latter.
+[[nodiscard]] std::filesystem::path entry_file(const std::filesystem::path& entry);
+
 struct EntryCheck {
     std::vector<std::string> problems;  ///< Empty: the entry is genuine.
     bool replayed = false;  ///< False: by another build, so that bits prove nothing here.

@@ -188,6 +188,11 @@ class Check {
 
 }  // namespace
 
+fs::path entry_file(const fs::path& entry) {
+    std::error_code none;
+    return fs::is_directory(entry, none) ? entry / "entry.json" : entry;
+}
+
 Json read_entry(const fs::path& entry_json) {
     const Json entry = Json::parse(read_text(entry_json), nullptr, false);
     if (!entry.is_object() || !entry.contains("benchmark") || !entry.contains("attempts"))

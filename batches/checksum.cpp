@@ -41,10 +41,18 @@ std::string hash_text(uint64_t hash) {
 }
 
 std::string read_text(const fs::path& path) {
+    std::error_code none;
+    if (fs::is_directory(path, none))
+        throw BatchError(BatchError::Kind::kBadInput,
+                         path.string() + ": is a folder; expected a file");
     std::ifstream in(path, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    if (!in || in.bad())
-        throw BatchError(BatchError::Kind::kBadInput, path.string() + ": cannot be read");
+    std::string text;
+    try {
+        text.assign(std::istreambuf_iterator<char>(in), {});
+    } catch (const std::ios_base::failure&) {  // what a disk that fails in the middle throws
+        in.setstate(std::ios::badbit);
+    }
+    if (!in) throw BatchError(BatchError::Kind::kBadInput, path.string() + ": cannot be read");
     return text;
 }
 

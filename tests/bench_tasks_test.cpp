@@ -89,6 +89,8 @@ TEST_F(BenchTasks, AnExpertsEntryIsGenuine) {
     const Outcome genuine = bench("--verify e/entry.json");
     EXPECT_EQ(genuine.status, 0) << genuine.out << genuine.err;
     EXPECT_THAT(genuine.out, HasSubstr("genuine: every attempt, simulated again"));
+    const Outcome folder_of_it = bench("--verify e --no-replay");
+    EXPECT_EQ(folder_of_it.status, 0) << folder_of_it.out << folder_of_it.err;
 }
 
 TEST_F(BenchTasks, ForgedEntriesAreRefuted) {
@@ -171,7 +173,8 @@ TEST_F(BenchTasks, OtherOperatorsEnterByTheirRecordingsAndTheBoardRanks) {
     EXPECT_LT(held, refuted);
     EXPECT_THAT(text, HasSubstr("held out (2) | replayed |"));
     EXPECT_THAT(text, HasSubstr("| refuted |"));
-    ASSERT_EQ(bench("--board quick.md --no-replay --entries n/entry.json").status, 0);
+    // Named by its folder, too.
+    ASSERT_EQ(bench("--board quick.md --no-replay --entries n").status, 0);
     EXPECT_THAT(read_text(file("quick.md")), HasSubstr("| not replayed |"));
 }
 
@@ -215,7 +218,14 @@ TEST_F(BenchTasks, BadOrdersAreNamed) {
         {"--policy nothing --out x --tasks sb_dissection", "none of them is in the benchmark"},
         {"--verify short.json", "short.json: is no entry to a benchmark"},
         {"--recordings . --name me", "holds no recordings"},
+        {"--verify nothing", "nothing: cannot be read"},
+        {"--verify empty", "empty/entry.json: cannot be read"},
+        {"--board b.md --entries empty", "empty/entry.json: cannot be read"},
     };
+    fs::create_directory(file("empty"));
+    const Outcome folder_as_protocol = ctl("bench tasks --protocol empty --policy nothing --out q");
+    EXPECT_EQ(folder_as_protocol.status, 2);
+    EXPECT_THAT(folder_as_protocol.err, HasSubstr("empty: is a folder; expected a file"));
     for (const auto& [order, words] : orders) {
         const Outcome refused = bench(order);
         EXPECT_NE(refused.status, 0) << order;

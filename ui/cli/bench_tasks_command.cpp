@@ -71,8 +71,8 @@ int enter(const Context& context, const BenchTasksOptions& options) {
 }
 
 int verify(const Context& context, const BenchTasksOptions& options) {
-    const auto check =
-        batches::check_entry(protocol_of(options), options.verify, !options.no_replay, tell);
+    const auto check = batches::check_entry(
+        protocol_of(options), batches::entry_file(options.verify), !options.no_replay, tell);
     clear_progress();
     const bool genuine = check.problems.empty();
     std::string text;
@@ -108,9 +108,10 @@ int board(const Context& context, const BenchTasksOptions& options) {
     Json json{{"board", options.board}, {"entries", Json::array()}};
     // What cannot be printed is refused before hours of replays and not behind them.
     for (const std::string& file : options.entries)
-        entries.push_back(batches::read_board_entry(file));
+        entries.push_back(batches::read_board_entry(batches::entry_file(file)));
     for (const std::string& file : options.entries) {
-        checks.push_back(batches::check_entry(protocol, file, !options.no_replay, tell));
+        checks.push_back(
+            batches::check_entry(protocol, batches::entry_file(file), !options.no_replay, tell));
         json["entries"].push_back({{"entry", file},
                                    {"replayed", checks.back().replayed},
                                    {"problems", checks.back().problems}});
@@ -156,10 +157,11 @@ void add_bench_tasks_command(CLI::App& bench, Context& context) {
     command->add_option("--protocol", options->protocol,
                         "FILE.json (default: the published one, data/benchmarks/tasks.json)");
     command->add_option("--verify", options->verify,
-                        "ENTRY/entry.json: checks it and simulates every attempt again");
+                        "ENTRY or ENTRY/entry.json: checks it and simulates every attempt again");
     command->add_option("--board", options->board,
                         "FILE.md: leader board of --entries, each of them verified");
-    command->add_option("--entries", options->entries, "Files entry.json for the board");
+    command->add_option("--entries", options->entries,
+                        "Folders of entries, or their entry.json, for the board");
     command->add_flag("--no-replay", options->no_replay,
                       "Verify, board: checksums and sums only; the board says so");
     command->callback([&context, options] {
