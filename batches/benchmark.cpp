@@ -14,6 +14,7 @@
 #include "db/store_error.h"
 #include "environment/judge.h"
 #include "environment/policy.h"
+#include "sim/core/near_word.h"
 
 namespace placode::batches {
 namespace {
@@ -28,15 +29,23 @@ std::string words_of(const Attempt& attempt) {
 }
 
 std::vector<Attempt> attempts_of(const Protocol& protocol, const EntryOrder& order) {
+    std::vector<std::string> known;
+    std::string names;
+    for (const BenchmarkTask& one : protocol.tasks) {
+        known.push_back(one.task);
+        names += (names.empty() ? "" : ", ") + one.task;
+    }
+    for (const std::string& task : order.only)
+        if (std::find(known.begin(), known.end(), task) == known.end())
+            throw BatchError(Kind::kBadInput, "--tasks: \"" + task + "\" is not in the benchmark " +
+                                                  protocol.id + "; expected some of " + names +
+                                                  sim::did_you_mean(task, known));
     std::vector<Attempt> attempts;
     for (const BenchmarkTask& one : protocol.tasks)
         for (const uint64_t seed : order.seeds.empty() ? protocol.seeds : order.seeds)
             if (order.only.empty() ||
                 std::find(order.only.begin(), order.only.end(), one.task) != order.only.end())
                 attempts.emplace_back(one.task, seed);
-    if (attempts.empty())
-        throw BatchError(Kind::kBadInput,
-                         "--tasks: none of them is in the benchmark " + protocol.id);
     return attempts;
 }
 

@@ -49,7 +49,7 @@ using EntryProgress = std::function<bool(const std::string& what)>;
 
 /// Makes the attempts of a built-in policy, or takes the recordings that are in `folder`, and
 /// writes entry.json there. Throws BatchError: an attempt is missing, made twice, too long, or of
-/// another task or seed.
+/// another task or seed; a task is ordered that the protocol has not.
 Json make_entry(const Protocol& protocol, const EntryOrder& order,
                 const std::filesystem::path& folder, const EntryProgress& progress);
 

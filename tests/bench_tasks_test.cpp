@@ -215,7 +215,11 @@ TEST_F(BenchTasks, BadOrdersAreNamed) {
         {"--policy expert", "expected --out FOLDER"},
         {"--policy clever --out x", "clever"},
         {"--policy nothing --out x --seeds 1-", "\"1-\""},
-        {"--policy nothing --out x --tasks sb_dissection", "none of them is in the benchmark"},
+        {"--policy nothing --out x --tasks sb_dissection",
+         "\"sb_dissection\" is not in the benchmark short; expected some of touch_targets, "
+         "trace_contour"},
+        {"--policy nothing --out x --tasks touch_targts,trace_contour",
+         "expected some of touch_targets, trace_contour; did you mean \"touch_targets\"?"},
         {"--verify short.json", "short.json: is no entry to a benchmark"},
         {"--recordings . --name me", "holds no recordings"},
         {"--verify nothing", "nothing: cannot be read"},

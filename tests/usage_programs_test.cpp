@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "tests/coarse_scene.h"
 #include "tests/programs_fixture.h"
 
 using namespace placode::test;
@@ -155,6 +156,40 @@ TEST_F(Usage, AllMessagesHaveOneForm) {
         const Outcome json = ctl(std::string("--json ") + command);
         EXPECT_THAT(json.out, HasSubstr("\"error\"")) << command;
     }
+}
+
+/// An interpreter that writes down what it is given, and answers as the package would.
+constexpr const char* kInterpreter = R"(#!/bin/sh
+printf '%s\n' "$@" > given
+echo '{"frames_per_s": 1234.5, "call_us": 1}'
+)";
+
+TEST_F(Usage, WhatAnInterpreterIsGivenIsNoCommandOfAShell) {
+    const std::string task = "it's $(touch harm); touch harm.json", python = "an 'odd' python; x";
+    fs::copy(PLACODE_SOURCE_DIR "/data/tasks/touch_targets.json", file(task));
+    write_text(file(python), kInterpreter);
+    fs::permissions(file(python), fs::perms::owner_all);
+    const std::string scene = std::string(" --scene '") + kCoarseScene + "'";
+    write_text(file("order"), "exec '" PLACODE_BIN_DIR
+                              "/placodectl' --json bench environment "
+                              "--quick --task \"it's \\$(touch harm); touch harm.json\" "
+                              "--python \"./an 'odd' python; x\"" +
+                                  scene + "\n");
+    const Outcome measured = shell("sh order");
+    ASSERT_EQ(measured.status, 0) << measured.err;
+    EXPECT_EQ(number_in(measured.out, "python_frames_per_s"), 1234.5);
+    EXPECT_EQ(number_in(measured.out, "two_processes_frames_per_s"), 2469);
+    EXPECT_EQ(read_text(file("given")),
+              "-m\nplacode.bench\n" + task + "\n" + kCoarseScene + "\n3\n");
+    EXPECT_FALSE(fs::exists(file("harm")));
+    EXPECT_FALSE(fs::exists(file("harm.json")));
+    // What gives no figures says why.
+    write_text(file(python), "#!/bin/sh\necho 'No module named placode' >&2\nexit 1\n");
+    const Outcome lacking = shell("sh order");
+    EXPECT_EQ(lacking.status, 0);
+    EXPECT_THAT(lacking.err, HasSubstr("not measured from Python: ./an 'odd' python; x: No module "
+                                       "named placode"));
+    EXPECT_THAT(lacking.out, HasSubstr("No module named placode"));
 }
 
 }  // namespace THIS_TEST

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl bench environment: what the environments of docs/environment.md cost.
 
-#include <cstdio>
+#include <QProcess>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -49,38 +49,61 @@ std::vector<bench::EnvironmentCase> cases(const EnvironmentOptions& options) {
     return all;
 }
 
-/// What the Python package measures of itself, by so many processes at once; a line of JSON each.
-/// Empty where it cannot be run.
-std::vector<Json> python_figures(const EnvironmentOptions& options,
-                                 const bench::EnvironmentCase& what, int processes) {
+struct PythonFigures {
+    std::vector<Json> found;  ///< Of each process that gave some.
+    std::string problem;      ///< Why one gave none.
+};
+
+/// What a process that ended said, or why it said nothing.
+void read_figures(QProcess& process, const std::string& python, PythonFigures& into) {
+    const std::string said = process.readAllStandardOutput().toStdString();
+    const Json figures = Json::parse(said, nullptr, false);
+    if (figures.is_object()) return into.found.push_back(figures);
+    std::string why = process.error() != QProcess::UnknownError
+                          ? process.errorString().toStdString()
+                          : "exit status " + std::to_string(process.exitCode());
+    for (const QByteArray& line : process.readAllStandardError().split('\n'))
+        if (!line.trimmed().isEmpty()) why = line.trimmed().toStdString();  // the last says it
+    into.problem = python + ": " + why;
+}
+
+/// What the Python package measures of itself, by so many processes at once.
+PythonFigures python_figures(const EnvironmentOptions& options, const bench::EnvironmentCase& what,
+                             int processes) {
     const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
     const std::string path =
         (bin / "../python").string() + ":" + (bin / "../lib/python3/dist-packages").string();
-    const std::string one = "'" + options.python + "' -m placode.bench " + what.task + " '" +
-                            what.scene_changes_json + "' " + (options.quick ? "3" : "9") +
-                            " 2>/dev/null";
-    std::string command = "export PYTHONPATH='" + path + "'";
-    for (int i = 0; i < processes; ++i) command += (i == 0 ? "; " : "& ") + one;
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen((command + "; wait").c_str(), "r"),
-                                                     ::pclose);
-    std::vector<Json> found;
-    char line[4096];
-    while (pipe && std::fgets(line, sizeof line, pipe.get()) != nullptr) {
-        const Json figures = Json::parse(line, nullptr, false);
-        if (figures.is_object()) found.push_back(figures);
+    QProcessEnvironment surroundings = QProcessEnvironment::systemEnvironment();
+    surroundings.insert(QStringLiteral("PYTHONPATH"), QString::fromStdString(path));
+    std::vector<std::unique_ptr<QProcess>> running;
+    for (int i = 0; i < processes; ++i) {
+        running.push_back(std::make_unique<QProcess>());
+        running.back()->setProcessEnvironment(surroundings);
+        running.back()->start(
+            QString::fromStdString(options.python),
+            {QStringLiteral("-m"), QStringLiteral("placode.bench"),
+             QString::fromStdString(what.task), QString::fromStdString(what.scene_changes_json),
+             options.quick ? QStringLiteral("3") : QStringLiteral("9")});
     }
-    return found;
+    PythonFigures figures;
+    for (const auto& process : running) {
+        process->waitForFinished(-1);
+        read_figures(*process, options.python, figures);
+    }
+    return figures;
 }
 
 /// What one Python process and two at once reach.
 Json python_row(const EnvironmentOptions& options, const bench::EnvironmentCase& what) {
-    const std::vector<Json> one = python_figures(options, what, 1);
-    if (one.empty()) return Json::object();
-    Json row = one.front();
-    const std::vector<Json> two = python_figures(options, what, 2);
-    if (two.size() == 2)
+    const PythonFigures one = python_figures(options, what, 1);
+    if (one.found.empty()) return {{"problem", one.problem}};
+    Json row = one.found.front();
+    const PythonFigures two = python_figures(options, what, 2);
+    if (two.found.size() == 2)
         row["two_processes_frames_per_s"] =
-            two[0].value("frames_per_s", 0.0) + two[1].value("frames_per_s", 0.0);
+            two.found[0].value("frames_per_s", 0.0) + two.found[1].value("frames_per_s", 0.0);
+    else
+        row["problem"] = two.problem;
     return row;
 }
 
@@ -98,6 +121,7 @@ Json to_json(const bench::EnvironmentRow& row, const Json& python) {
             {"pictured_frames_per_s", python.value("pictured_frames_per_s", 0.0)},
             {"picture", python.value("picture", Json())},
             {"two_processes_frames_per_s", python.value("two_processes_frames_per_s", 0.0)},
+            {"python_problem", python.value("problem", "")},
             {"reset_ms", row.reset_ms},
             {"save_ms", row.save_ms},
             {"field_mib", row.field_mib},
@@ -166,6 +190,9 @@ Rows speed(const EnvironmentOptions& options, Json& json) {
         rows.push_back(cells_of(row));
         std::cerr << row["task"].get<std::string>() << ": "
                   << fixed(row["environment_frames_per_s"].get<double>(), 0) << " frames/s\n";
+        if (const auto problem = row["python_problem"].get<std::string>(); !problem.empty())
+            std::cerr << row["task"].get<std::string>() << ": not measured from Python: " << problem
+                      << "\n";
     }
     return rows;
 }
