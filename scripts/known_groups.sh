@@ -14,6 +14,7 @@ while [ "$seed" -lt $((first + seeds)) ]; do
     for level in expert intermediate novice; do
         file=$folder/$task-$level-$seed.placode
         [ -s "$file" ] && continue
+        rm -f "$file.part" "$file.part-journal"  # of a run that was broken off: nothing is overwritten
         nice -n 19 "$bin/placode-sim" --task "$task" --seed "$seed" --device "script:$level" \
             --headless --fast --threads 1 --record "$file.part" >/dev/null
         mv "$file.part" "$file"

@@ -15,6 +15,7 @@ usage() { sed -n '5,10s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 
 record() {  # TASK: one recording, written whole or not at all
   local part=$folder/$1.part.placode status=0
+  rm -f "$part" "$part-journal"  # of a run that was broken off: nothing is overwritten
   "$sim" --task "$1" --device script:expert --seed 1 --headless --fast --threads 1 --duration "$seconds" \
     --record "$part" >"$folder/$1.log" 2>&1 || status=$?
   if [ "$status" -ne 0 ] || [ ! -s "$part" ]; then
