@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the simulator's options come from when nobody gives them.
+// Where the simulator's options come from when nobody gives them, and which numbers are none.
 #include "ui/attempt/arguments.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -12,13 +13,15 @@
 namespace placode::ui {
 namespace THIS_TEST {
 
-std::string author_of(std::vector<std::string> words) {
+Arguments parsed(std::vector<std::string> words) {
     words.insert(words.begin(), {"placode-sim", "--task", "touch_targets"});
     std::vector<char*> arguments;
     for (std::string& each : words) arguments.push_back(each.data());
     bool exit_now = false;
-    return parse_arguments(static_cast<int>(arguments.size()), arguments.data(), exit_now).author;
+    return parse_arguments(static_cast<int>(arguments.size()), arguments.data(), exit_now);
 }
+
+std::string author_of(const std::vector<std::string>& words) { return parsed(words).author; }
 
 TEST(Arguments, TheAuthorIsWhoIsNamedThenTheEnvironmentThenTheLogIn) {
     ::setenv("USER", "ada", 1);
@@ -30,6 +33,23 @@ TEST(Arguments, TheAuthorIsWhoIsNamedThenTheEnvironmentThenTheLogIn) {
     EXPECT_EQ(author_of({}), "Dr. Example");
     EXPECT_EQ(author_of({"--author", "Prof. Example"}), "Prof. Example");
     ::unsetenv("PLACODE_AUTHOR");
+}
+
+TEST(Arguments, WhatIsNoNumberIsRefusedWithItsOption) {
+    for (const std::string option :
+         {"--duration", "--speed", "--from", "--min-duration", "--test-force"}) {
+        for (const std::string value : {"nan", "-nan", "NAN", "nan(1)", "inf", "-inf", "1e400"}) {
+            try {
+                (void)parsed({"--study", option + "=" + value});
+                ADD_FAILURE() << option << " " << value << ": no error";
+            } catch (const UsageError& error) {
+                EXPECT_THAT(error.what(),
+                            testing::StartsWith(option + ": found \"" + value + "\"; expected "));
+            }
+        }
+    }
+    EXPECT_DOUBLE_EQ(parsed({"--test-force", "10"}).test_force_n, 10);
+    EXPECT_DOUBLE_EQ(parsed({"--duration", "0.001"}).duration_s, 0.001);
 }
 
 }  // namespace THIS_TEST

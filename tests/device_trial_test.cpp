@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <functional>
+#include <limits>
 
 #include "haptics/real_time.h"
 #include "tests/stand_in/haply_service.h"
@@ -99,6 +100,19 @@ TEST(DeviceTrial, ShowsSignalsAndPushesFromTheFloorWithHalfANewtonAtMost) {
     EXPECT_TRUE(until(trial, [](const TrialReport& r) { return r.arms[0].force_n.norm() < 0.05; }));
     trial.stop();
     EXPECT_EQ(service.force(0)[2], 0) << "the last force is none";
+}
+
+TEST(DeviceTrial, IsAsGentleWhereItsForceIsNoNumber) {
+    for (const double force_n :
+         {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::quiet_NaN(),
+          std::numeric_limits<double>::infinity()}) {
+        HaplyService service;
+        TrialSettings none = settings(service);
+        none.force_n = force_n;
+        DeviceTrial trial(none);
+        EXPECT_EQ(trial.report().force_n, kFirstForceN) << force_n;
+        EXPECT_EQ(trial.report().stiffness_n_m, kFirstStiffnessNM) << force_n;
+    }
 }
 
 TEST(DeviceTrial, IsNoStifferForAHandWhoseMotionIsMadeLarger) {

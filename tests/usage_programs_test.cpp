@@ -111,6 +111,34 @@ TEST_F(Usage, AStrangeWordIsNotGuessedAt) {
     EXPECT_THAT(said.err, AllOf(HasSubstr("expected one of"), Not(HasSubstr("did you mean"))));
 }
 
+TEST_F(Usage, WhatIsNoNumberIsRefusedBeforeAnythingIsDone) {
+    write_text(file("a.csv"), "score\n1\n2\n");
+    const std::pair<const char*, const char*> cases[]{
+        {"batch plan rollouts --out b --tasks touch_targets --policies nothing --seeds 1 ",
+         "--time-limit"},
+        {"batch forecast b ", "--lost"},
+        {"batch forecast b ", "--price"},
+        {"bench stability --quick ", "--rest-seconds"},
+        {"bench store --quick ", "--simulate"},
+        {"bench picture --recording a.placode ", "--from"},
+        {"metrics a.csv ", "--threshold"},
+        {"stats cusum a.csv ", "--success-at"},
+        {"contour a.csv a.csv ", "--tolerance"},
+    };
+    for (const auto& [command, option] : cases) {
+        for (const std::string value : {"nan", "-nan", "NAN", "inf"}) {
+            const Outcome said = ctl(std::string(command) + option + "=" + value);
+            EXPECT_EQ(said.status, 2) << command << option << " " << value;
+            EXPECT_THAT(said.err, HasSubstr(option)) << command;
+            EXPECT_THAT(said.err, testing::ContainsRegex("[nN][aA][nN]|inf")) << command;
+        }
+    }
+    EXPECT_FALSE(fs::exists(file("b")));
+    const Outcome arm = run("placode-sim", "--test-device haply --test-force nan");
+    EXPECT_EQ(arm.status, 2);
+    EXPECT_THAT(arm.err, StartsWith("placode-sim: --test-force: found \"nan\"; expected 0.1"));
+}
+
 TEST_F(Usage, AMisspeltLayoutOfTheControlsIsNamed) {
     for (const auto& [layout, word] : {std::pair{"'cut=C'", "cut and coagulate are both"},
                                        {"'jump=G'", "jump=G"},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <thread>
 
 #include "haptics/catalogue/open_device.h"
@@ -93,9 +94,11 @@ double trial_scale(const TrialSettings& settings, std::span<const sim::ToolSpec>
 CouplingSettings trial_law(const TrialSettings& settings, double scale) {
     CouplingSettings law = station_limits(settings.station);
     law.servo_gap_s = settings.servo_gap_s;
-    law.max_force_n = std::min(law.max_force_n, settings.force_n);
+    // What is no number asks for no more than the first force.
+    const double force_n = std::isfinite(settings.force_n) ? settings.force_n : kFirstForceN;
+    law.max_force_n = std::min(law.max_force_n, force_n);
     law.thermal_floor_n = std::min(law.thermal_floor_n, law.max_force_n);
-    if (settings.force_n <= kFirstForceN) {
+    if (!(force_n > kFirstForceN)) {
         const double felt = scale * scale;  // times what the law says
         law.stiffness_n_m = std::min(law.stiffness_n_m, kFirstStiffnessNM / felt);
         law.damping_ns_m /= std::max(1.0, felt);

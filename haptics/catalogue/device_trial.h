@@ -25,8 +25,8 @@ inline constexpr double kFirstStiffnessNM = 100;
 struct TrialSettings {
     std::string device;  ///< One with hardware: "haply", "spacemouse", ...
     Station station;
-    double force_n =
-        kFirstForceN;  ///< Ceiling; the station's and the device's limits hold as well.
+    /// Ceiling; the station's and the device's limits hold as well. Not finite: kFirstForceN.
+    double force_n = kFirstForceN;
     int64_t (*clock_ns)() noexcept = nullptr;  ///< As in DeviceConfig.
     /// As in CouplingSettings. Only a stand-in without motors may be given a longer gap, on a
     /// computer whose threads are made to wait.

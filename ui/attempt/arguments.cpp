@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "db/recording_order.h"
+#include "ui/finite_range.h"
 #include "ui/usage_message.h"
 #include "ui/version.h"
 #include "ui/view/picture_size.h"
@@ -141,7 +142,7 @@ void add_attempt_options(CLI::App& app, Arguments& arguments) {
     app.add_flag("--headless", arguments.headless, "No window, no display needed");
     app.add_flag("--fast", arguments.fast, "As fast as possible (with --headless)");
     app.add_option("--duration", arguments.duration_s, "Stop after this many seconds")
-        ->check(CLI::Range(0.001, 86400.0));
+        ->check(finite_range(0.001, 86400.0));
     app.add_option("--threads", arguments.threads, "Threads of the physics")
         ->check(CLI::Range(1, 64));
     app.add_option("--seed", arguments.seed, "Seed of anatomy and scripted operator");
@@ -175,9 +176,9 @@ void add_replay_options(CLI::App& app, Arguments& arguments, Typed& typed) {
     app.add_option("--camera", typed.camera, "Replay: scope, above, left, feet or near")
         ->check(CLI::IsMember({"scope", "above", "left", "feet", "near"}));
     app.add_option("--speed", arguments.wish.speed, "Replay: 0.1 to 8")
-        ->check(CLI::Range(kSlowest, kFastest));
+        ->check(finite_range(kSlowest, kFastest));
     app.add_option("--from", arguments.wish.seek_s, "Replay: start at this second")
-        ->check(CLI::Range(0.0, 86400.0));
+        ->check(finite_range(0.0, 86400.0));
     app.add_flag("--control", arguments.control,
                  "Replay: read \"camera NAME\", \"speed X\", \"seek S\", \"pause\", \"play\", "
                  "\"quit\" from standard input");
@@ -201,7 +202,7 @@ void add_mode_options(CLI::App& app, Arguments& arguments, Typed& typed) {
         ->needs(study);
     app.add_option("--min-duration", arguments.least_s,
                    "Study: ended earlier than this [s] the procedure does not count, and is asked")
-        ->check(CLI::Range(0.0, 86400.0))
+        ->check(finite_range(0.0, 86400.0))
         ->needs(study);
 }
 
@@ -218,7 +219,7 @@ void add_other_options(CLI::App& app, Arguments& arguments) {
                    "\"floor on|off\", \"identify\", \"quit\" from standard input")
         ->type_name("NAME");
     app.add_option("--test-force", arguments.test_force_n, "Its largest force [N], 0.5 at first")
-        ->check(CLI::Range(0.1, 10.0));
+        ->check(finite_range(0.1, 10.0));
     app.add_flag("--limits-file", arguments.limits_file,
                  "Print the limits file that grants real time to the haptic loop");
     app.add_flag("--station-file", arguments.station_file,

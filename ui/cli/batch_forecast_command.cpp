@@ -10,6 +10,7 @@
 #include "sim/core/counted.h"
 #include "sim/core/number_text.h"
 #include "ui/cli/batch.h"
+#include "ui/finite_range.h"
 
 namespace placode::cli {
 namespace {
@@ -117,9 +118,9 @@ void add_batch_forecast_command(CLI::App& batch, Context& context) {
     command
         ->add_option("--lost", options->lost_percent,
                      "Percent of the shards that are killed somewhere and begin anew")
-        ->check(CLI::Range(0.0, 90.0));
+        ->check(ui::finite_range(0.0, 90.0));
     command->add_option("--price", options->price, "Of a worker and hour")
-        ->check(CLI::NonNegativeNumber);
+        ->check(ui::finite_range(0.0, 1e6));
     command->callback([&context, options] {
         context.run = [&context, options] {
             return of_batch([&] { return run(context, *options); });

@@ -15,6 +15,7 @@
 #include "ui/cli/progress.h"
 #include "ui/cli/seed_list.h"
 #include "ui/cli/session.h"
+#include "ui/finite_range.h"
 #include "ui/version.h"
 
 namespace placode::cli {
@@ -201,7 +202,7 @@ void add_options(CLI::App& command, BatchPlanOptions& options) {
     command
         .add_option("--time-limit", options.time_limit_s,
                     "Rollouts: end earlier than the task would [s]")
-        ->check(CLI::Range(0.1, 3600.0));
+        ->check(ui::finite_range(0.1, 3600.0));
     command.add_option("--scene-changes", options.scene_changes,
                        "Rollouts: FILE.json that is merged into every scene");
     command.add_flag("--record", options.record, "Rollouts: keep the recordings");

@@ -8,6 +8,7 @@
 #include "sim/core/counted.h"
 #include "ui/cli/links.h"
 #include "ui/cli/session.h"
+#include "ui/finite_range.h"
 #include "ui/lti/grades.h"
 
 namespace placode::cli {
@@ -156,7 +157,7 @@ void add_lti_grades_command(CLI::App& lti, Context& context) {
     command->add_option("--sent", options->sent,
                         "File that remembers what was sent (default: beside the settings)");
     command->add_option("--wait", options->wait_s, "Before a second try [s]")
-        ->check(CLI::Range(0.0, 60.0))
+        ->check(ui::finite_range(0.0, 60.0))
         ->capture_default_str();
     command->add_flag("--dry-run", options->dry_run, "Say what would be sent, and send nothing");
     command->callback([&context, options] {

@@ -3,6 +3,7 @@
 // placodectl metrics | contour. The score: score_command.cpp.
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "assessment/tissue_metrics.h"
 #include "ui/cli/cli.h"
 #include "ui/cli/recording_output.h"
+#include "ui/finite_range.h"
 
 namespace placode::cli {
 namespace {
@@ -147,7 +149,7 @@ std::vector<assessment::Vec3> read_line(const std::string& path) {
 }
 
 int contour(const Context& context, const MetricsOptions& options) {
-    if (!(options.tolerance_mm > 0)) {
+    if (!(options.tolerance_mm > 0 && std::isfinite(options.tolerance_mm))) {
         throw InputError("--tolerance " + shortest(options.tolerance_mm) +
                          ": expected a distance above 0 mm");
     }
@@ -184,8 +186,10 @@ void add_metrics_commands(CLI::App& app, Context& context) {
     metrics_command->add_option("FILE", options->file, "FILE.placode or FILE.csv")->required();
     metrics_command->add_flag("--raw", options->signal.raw,
                               "Signal: no filter and no resampling, it is clean already");
-    metrics_command->add_option("--threshold", options->threshold_n,
-                                "Force signal: what counts as too much [N]");
+    metrics_command
+        ->add_option("--threshold", options->threshold_n,
+                     "Force signal: what counts as too much [N]")
+        ->check(ui::finite_range(0.0, 1e6));
     metrics_command->add_flag("--phases", options->phases, "Recording: each phase as well");
     metrics_command->add_flag("--recover", options->recover,
                               "Recording: use what stands before the damage");

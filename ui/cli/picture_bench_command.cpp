@@ -13,6 +13,7 @@
 #include "db/recording_file.h"
 #include "ui/cli/cli.h"
 #include "ui/cli/write_file.h"
+#include "ui/finite_range.h"
 #include "ui/view/picture_times.h"
 
 namespace placode::cli {
@@ -148,7 +149,8 @@ void add_picture_bench_command(CLI::App& bench, Context& context) {
         ->required();
     command->add_option("--size", options->sizes, "WxH of the pictures; may be given again")
         ->capture_default_str();
-    command->add_option("--from", options->from_s, "Second of the attempt (default: its middle)");
+    command->add_option("--from", options->from_s, "Second of the attempt (default: its middle)")
+        ->check(ui::finite_range(0.0, 86400.0));
     command->add_option("--pictures", options->pictures, "Pictures, a sixtieth of a second apart")
         ->capture_default_str();
     command->add_option("--seconds", options->seconds, "At most so long for each quality")

@@ -12,6 +12,7 @@
 #include "bench/suture_cases.h"
 #include "sim/verify/stability_cases.h"
 #include "ui/cli/write_file.h"
+#include "ui/finite_range.h"
 
 namespace placode::cli {
 namespace {
@@ -141,7 +142,7 @@ void add_stability_command(CLI::App& bench, Context& context) {
     command->add_option("--poke-frames", options->poke_frames, "Frames of random pokes instead")
         ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000}));
     command->add_option("--rest-seconds", options->rest_s, "Seconds of the case at rest instead")
-        ->check(CLI::Range(0.1, 1e5));
+        ->check(ui::finite_range(0.1, 1e5));
     command->callback([&context, options] {
         context.run = [&context, options] { return run(context, *options); };
     });

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "ui/cli/stats_table.h"
+#include "ui/finite_range.h"
 #include "ui/usage_message.h"
 
 namespace placode::cli {
@@ -84,11 +85,14 @@ void add_stats_commands(CLI::App& app, Context& context) {
     stats->add_option("--p1", options->p1, "Unacceptable failure rate (cusum)");
     stats->add_option("--alpha", options->alpha, "Type I error (cusum)");
     stats->add_option("--beta", options->beta, "Type II error (cusum)");
-    stats->add_option("--success-at", options->success_at,
-                      "Least score that is a success (cusum, lc-cusum)");
+    stats
+        ->add_option("--success-at", options->success_at,
+                     "Least score that is a success (cusum, lc-cusum)")
+        ->check(ui::finite_range(-1e9, 1e9));
     stats->add_option("--adequate", options->adequate, "Adequate failure rate (lc-cusum)");
     stats->add_option("--inadequate", options->inadequate, "Inadequate failure rate (lc-cusum)");
-    stats->add_option("--limit", options->h, "Limit h that signals competence (lc-cusum)");
+    stats->add_option("--limit", options->h, "Limit h that signals competence (lc-cusum)")
+        ->check(ui::finite_range(0.0, 1e9));
     stats->callback([&context, options] {
         context.run = [&context, options] { return run_stats(context, *options); };
     });

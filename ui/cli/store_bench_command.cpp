@@ -17,6 +17,7 @@
 #include "ui/cli/cli.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/scratch_folder.h"
+#include "ui/finite_range.h"
 
 namespace placode::cli {
 namespace {
@@ -194,7 +195,7 @@ void add_store_bench_command(CLI::App& bench, Context& context) {
         ->capture_default_str();
     command->add_option("--out", options->out, "Folder for bench_store.csv and bench_store.json");
     command->add_option("--simulate", options->simulate_s, "Length of each simulated attempt [s]")
-        ->check(CLI::Range(0.2, 600.0))
+        ->check(ui::finite_range(0.2, 600.0))
         ->capture_default_str();
     command->add_flag("--quick", options->quick, "50 people and 2,000 attempts at most");
     command->add_flag("--sealed", options->sealed,

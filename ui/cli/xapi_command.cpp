@@ -11,6 +11,7 @@
 #include "sim/core/counted.h"
 #include "ui/cli/links.h"
 #include "ui/cli/session.h"
+#include "ui/finite_range.h"
 #include "ui/lti/statements.h"
 
 namespace placode::cli {
@@ -159,7 +160,7 @@ void add_xapi_command(CLI::App& app, Context& context) {
     command->add_option("--sent", options->sent,
                         "File that remembers what was sent (default: beside the credentials)");
     command->add_option("--wait", options->wait_s, "Before a second try [s]")
-        ->check(CLI::Range(0.0, 60.0))
+        ->check(ui::finite_range(0.0, 60.0))
         ->capture_default_str();
     command->add_flag("--dry-run", options->dry_run, "Print the statements and send none");
     command->callback([&context, options] {
