@@ -139,6 +139,33 @@ TEST_F(Usage, WhatIsNoNumberIsRefusedBeforeAnythingIsDone) {
     EXPECT_THAT(arm.err, StartsWith("placode-sim: --test-force: found \"nan\"; expected 0.1"));
 }
 
+TEST_F(Usage, OutputThatDoesNotFitOnTheDiskIsAFailure) {
+    write_text(file("line.csv"), "x_mm,y_mm\n0,0\n5,0\n10,0\n");
+    const std::string contour = "contour line.csv line.csv";
+    ASSERT_EQ(ctl(contour).status, 0);
+    const std::string program = "'" PLACODE_BIN_DIR "/placodectl' ";
+    // The long help leaves its buffer early, the short version at the very end.
+    for (const std::string& line : {"--json " + contour, contour, std::string("--help"),
+                                    std::string("study --help"), std::string("--version")}) {
+        write_text(file("full.sh"), program + line + " > /dev/full\n");
+        const Outcome full = shell("sh full.sh");
+        EXPECT_EQ(full.status, 1) << line;
+        EXPECT_THAT(full.err, StartsWith("placodectl: standard output: cannot be written (No "))
+            << line;
+    }
+    write_text(file("full.sh"), program + "--json contour none.csv none.csv > /dev/full\n");
+    EXPECT_EQ(shell("sh full.sh").status, 2) << "the first trouble counts";
+    // A reader that has seen enough, also where its signal is ignored.
+    for (const char* trap : {"", "trap '' PIPE\n"}) {
+        write_text(file("pipe.sh"),
+                   trap + ("{ sleep 0.3; " + program + "--help; echo $? > status; } | true\n"));
+        const Outcome closed = shell("sh pipe.sh");
+        EXPECT_EQ(closed.status, 0) << trap;
+        EXPECT_EQ(closed.err, "") << trap;
+    }
+    EXPECT_EQ(read_text(file("status")), "0\n") << "of the last, where no signal ends it";
+}
+
 TEST_F(Usage, AMisspeltLayoutOfTheControlsIsNamed) {
     for (const auto& [layout, word] : {std::pair{"'cut=C'", "cut and coagulate are both"},
                                        {"'jump=G'", "jump=G"},

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <clocale>
 #include <iostream>
+#include <sstream>
 
 #include "curriculum/definitions.h"
 #include "db/store.h"
@@ -30,6 +31,14 @@ int fail(const cli::Context& context, int status, const std::string& message) {
 // A recording or an order that cannot be used is bad input; a store that cannot is a failure.
 int status_of(const db::StoreError& error) {
     return error.kind() == db::StoreError::Kind::kNotFound ? 2 : 1;
+}
+
+// Done is only what has arrived: a script would go on with half a document.
+int with_output(int status) {
+    const auto trouble = cli::output_trouble();
+    if (!trouble) return status;
+    std::cerr << "placodectl: " << *trouble << '\n';
+    return status == 0 ? 1 : status;
 }
 
 // What Qt says to itself (no XDG_RUNTIME_DIR, ...) is not for whoever reads our output.
@@ -116,11 +125,14 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return app.exit(help);
+        std::ostringstream text;
+        const int status = app.exit(help, text);
+        cli::print({}, {}, text.str());
+        return with_output(status);
     } catch (const CLI::ParseError& error) {
         for (int i = 1; i < argc; ++i)
             context.json = context.json || std::string_view(argv[i]) == "--json";
-        return fail(context, 2, placode::ui::usage_message(app, error));
+        return with_output(fail(context, 2, placode::ui::usage_message(app, error)));
     }
-    return run(context);
+    return with_output(run(context));
 }

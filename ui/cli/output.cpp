@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <iostream>
+#include <system_error>
 
 #include "sim/core/number_text.h"
 #include "ui/cli/cli.h"
@@ -33,6 +35,16 @@ std::vector<std::vector<std::string>> as_seen(std::vector<std::vector<std::strin
     return rows;
 }
 
+// Why standard output took no more; 0 = it took everything.
+int trouble = 0;
+
+// The reason is only known where the writing fails, so nothing is left in a buffer.
+void write_out(const std::string& text) {
+    errno = 0;
+    std::cout << text << std::flush;
+    if (!std::cout && trouble == 0) trouble = errno != 0 ? errno : EIO;
+}
+
 std::string read_line() {
     std::string line;
     std::getline(std::cin, line);
@@ -57,14 +69,21 @@ std::string ask_without_echo(const std::string& prompt) {
 
 void print(const Context& context, const Json& json, const std::string& text) {
     if (!context.json) {
-        std::cout << on_screen(text) << (text.empty() || text.back() == '\n' ? "" : "\n");
+        write_out(on_screen(text) + (text.empty() || text.back() == '\n' ? "" : "\n"));
         return;
     }
     std::string whole = json.dump(2, ' ', false, Json::error_handler_t::replace);
     // For programs nothing is lost: written as \uXXXX such a letter does nothing to a terminal.
     if (sim::has_hidden_letters(whole, "\n"))
         whole = json.dump(2, ' ', true, Json::error_handler_t::replace);
-    std::cout << whole << '\n';
+    write_out(whole + '\n');
+}
+
+std::optional<std::string> output_trouble() {
+    // Whoever reads through a pipe may have seen enough, as `head` has.
+    if (trouble == 0 || trouble == EPIPE) return {};
+    return "standard output: cannot be written (" + std::generic_category().message(trouble) +
+           "); what should stand there is not whole";
 }
 
 std::string fixed(double value, int decimals) { return sim::fixed_text(value, decimals); }
