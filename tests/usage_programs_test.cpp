@@ -166,6 +166,50 @@ TEST_F(Usage, OutputThatDoesNotFitOnTheDiskIsAFailure) {
     EXPECT_EQ(read_text(file("status")), "0\n") << "of the last, where no signal ends it";
 }
 
+TEST_F(Usage, WhereNothingCanBeWrittenIsSaidBeforeTheWork) {
+    write_text(file("taken"), "kept");
+    fs::create_symlink("nowhere", file("astray"));
+    const std::string benches[]{"bench speed",
+                                "bench contact",
+                                "bench scaling",
+                                "bench stability",
+                                "bench cuts",
+                                "bench haptics",
+                                "bench environment",
+                                "bench store",
+                                "bench accuracy",
+                                "bench closed-forms",
+                                "bench tasks --policy nothing",
+                                "bench picture --recording none.placode",
+                                "solve none.json"};
+    for (const std::string& bench : benches) {
+        // A picture's figures are one file, which may be written over.
+        const bool of_folder = !bench.starts_with("bench picture");
+        for (const std::string out :
+             {"taken/below", of_folder ? "taken" : ".", of_folder ? "astray/below" : "taken/b/c"}) {
+            const Outcome said = ctl(bench + " --out " + out);
+            EXPECT_EQ(said.status, 2) << bench << " " << out;
+            EXPECT_THAT(said.err, StartsWith("placodectl: --out " + out + ": cannot be written ("))
+                << bench;
+            EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1)
+                << bench << ": worked before it looked\n"
+                << said.err;
+        }
+    }
+    for (const std::string report :
+         {"bench stability --report ", "bench accuracy --report ", "bench tasks --board "}) {
+        EXPECT_THAT(ctl(report + "taken/below.md").err, HasSubstr("taken is no folder")) << report;
+        EXPECT_THAT(ctl(report + ".").err, HasSubstr(" .: cannot be written (it is a folder)"))
+            << report;
+    }
+    EXPECT_EQ(read_text(file("taken")), "kept");
+    // Looking makes nothing.
+    const Outcome refused = ctl("solve none.json --out new/below");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err, HasSubstr("none.json"));
+    EXPECT_FALSE(fs::exists(file("new")));
+}
+
 TEST_F(Usage, AMisspeltLayoutOfTheControlsIsNamed) {
     for (const auto& [layout, word] : {std::pair{"'cut=C'", "cut and coagulate are both"},
                                        {"'jump=G'", "jump=G"},

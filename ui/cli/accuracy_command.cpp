@@ -40,6 +40,8 @@ Json to_json(const AccuracyRow& row) {
 }
 
 int accuracy(const Context& context, const AccuracyCommandOptions& options) {
+    need_writable_folder("--out", options.out);
+    need_writable_file("--report", options.report);
     const auto start = std::chrono::steady_clock::now();
     Json json{{"benchmark", "accuracy"}, {"quick", options.quick}, {"machine", machine()}};
     bench::AccuracyRun measured_on{bench::this_machine(), options.quick, options.field, 0};
@@ -100,6 +102,7 @@ int accuracy(const Context& context, const AccuracyCommandOptions& options) {
 
 /// Figures and a page for docs/measurements.
 int closed_forms(const Context& context, const std::string& folder) {
+    need_writable_folder("--out", folder);
     const fs::path out = folder;
     std::error_code error;
     if (!folder.empty() && !fs::create_directories(out, error) && error)

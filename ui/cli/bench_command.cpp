@@ -11,6 +11,7 @@
 #include "bench/speed.h"
 #include "ui/cli/batch.h"
 #include "ui/cli/solver_commands.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -64,6 +65,7 @@ void write_files(const std::string& folder, const Json& json,
 }
 
 int speed(const Context& context, const BenchOptions& options) {
+    need_writable_folder("--out", options.out);
     const bench::Plan plan = options.quick ? bench::Plan{3, 400} : bench::Plan{};
     Json json{{"benchmark", "speed"},
               {"machine", machine()},

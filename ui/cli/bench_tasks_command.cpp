@@ -51,6 +51,7 @@ int enter(const Context& context, const BenchTasksOptions& options) {
             "--verify FILE and --board FILE");
     if (!options.policy.empty() && options.out.empty())
         throw InputError("bench tasks --policy: expected --out FOLDER, for entry and recordings");
+    if (!options.policy.empty()) need_writable_folder("--out", options.out);
     batches::EntryOrder order;
     order.policy = options.policy;
     order.name = options.name.empty() ? options.policy : options.name;
@@ -98,6 +99,7 @@ int verify(const Context& context, const BenchTasksOptions& options) {
 }
 
 int board(const Context& context, const BenchTasksOptions& options) {
+    need_writable_file("--board", options.board);
     if (options.entries.empty())
         throw InputError(
             "bench tasks --board: expected entries, as --entries A/entry.json "

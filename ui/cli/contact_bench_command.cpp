@@ -17,6 +17,7 @@
 #include "reports/report.h"
 #include "sim/anatomy/operative_field.h"
 #include "ui/cli/cli.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -142,6 +143,7 @@ Measured measured(const ContactBenchOptions& options) {
 }
 
 int run(const Context& context, const ContactBenchOptions& options) {
+    need_writable_folder("--out", options.out);
     const Measured what = measured(options);
     Json json{{"benchmark", "contact"}, {"machine", machine()},        {"task", what.name},
               {"tets", what.tets},      {"triangles", what.triangles}, {"rows", Json::array()}};

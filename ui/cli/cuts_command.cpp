@@ -11,6 +11,7 @@
 #include "bench/machine.h"
 #include "curriculum/task.h"
 #include "ui/cli/cli.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -39,6 +40,7 @@ Json to_json(const CutRow& row) {
 int run(const Context& context, const CutsOptions& options) {
     if (options.snips < 1 || options.snips > 1000)
         throw InputError("--snips " + std::to_string(options.snips) + ": expected 1 to 1000");
+    need_writable_folder("--out", options.out);
     const auto spec = curriculum::load_task(options.task).scene;
     Json json{{"benchmark", "cuts"}, {"task", options.task}, {"machine", machine()}};
     json["rows"] = Json::array();

@@ -12,6 +12,7 @@
 #include "bench/environment_speed.h"
 #include "curriculum/utc_time.h"
 #include "ui/cli/solver_commands.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -235,6 +236,7 @@ void write_files(const std::string& folder, const std::string& name, const Json&
 }
 
 int run(const Context& context, const EnvironmentOptions& options) {
+    need_writable_folder("--out", options.out);
     Json json{{"benchmark", "environment"}, {"machine", machine()}};
     std::string text;
     if (options.policies) {

@@ -7,6 +7,7 @@
 
 #include "ui/cli/haptics_bench_report.h"
 #include "ui/cli/solver_commands.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -17,6 +18,7 @@ struct HapticsBenchOptions {
 };
 
 int run(const Context& context, const HapticsBenchOptions& options) {
+    need_writable_folder("--out", options.out);
     const Json computer = machine();  // the load before, not our own
     haptics::HapticBenchSuite bench;
     bench.quick = options.quick;

@@ -87,6 +87,7 @@ void check(const PictureOptions& options) {
                          std::to_string(view::kLeastPictures) + " to " + std::to_string(kMost));
     if (!(options.seconds > 0 && options.seconds <= 600))
         throw InputError("--seconds " + fixed(options.seconds, 3) + ": expected up to 600");
+    need_writable_file("--out", options.out);
     if (options.save.empty()) return;
     std::error_code error;
     std::filesystem::create_directories(options.save, error);

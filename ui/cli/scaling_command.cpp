@@ -11,6 +11,7 @@
 #include "bench/scaling.h"
 #include "reports/report.h"
 #include "ui/cli/cli.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -71,6 +72,7 @@ void write_files(const std::string& folder, const Json& json, const std::vector<
 }
 
 int run(const Context& context, const ScalingOptions& options) {
+    need_writable_folder("--out", options.out);
     Json json{{"benchmark", "scaling"}, {"quick", options.quick}, {"machine", machine()}};
     const std::vector<ScalingRow> rows =
         bench::measure_scaling(options.task, options.quick, [](const ScalingRow& row) {

@@ -16,6 +16,7 @@
 #include "curriculum/verification_json.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/solver_commands.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -104,7 +105,6 @@ void write_with(const std::filesystem::path& path, Write&& write) {
         throw InputError("--out: " + path.string() + " cannot be written; choose another place");
 }
 
-/// A folder that cannot be made is found out before the work, not after it.
 void make_folder(const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
@@ -114,6 +114,7 @@ void make_folder(const std::string& folder) {
 }
 
 int solve(const Context& context, const SolveOptions& options) {
+    need_writable_folder("--out", options.out);
     const sim::VerificationScene scene = curriculum::load_verification_scene(options.scene);
     const bool show = isatty(STDERR_FILENO) != 0;
     const sim::SolveResult result = curriculum::solve_verification_scene(

@@ -77,6 +77,8 @@ std::vector<sim::StabilityResult> run_cases(const StabilityCommandOptions& optio
 }
 
 int run(const Context& context, const StabilityCommandOptions& options) {
+    need_writable_folder("--out", options.out);
+    need_writable_file("--report", options.report);
     const auto start = std::chrono::steady_clock::now();
     sim::StabilityOptions cases;
     cases.seconds = options.quick ? 1 : 4;

@@ -17,6 +17,7 @@
 #include "ui/cli/cli.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/scratch_folder.h"
+#include "ui/cli/write_file.h"
 #include "ui/finite_range.h"
 
 namespace placode::cli {
@@ -166,6 +167,7 @@ StoreBenchOptions in_short(StoreBenchOptions options) {
 }
 
 int run(const Context& context, const StoreBenchOptions& asked) {
+    need_writable_folder("--out", asked.out);
     StoreBenchOptions options = asked.quick ? in_short(asked) : asked;
     options.shell = !options.no_shell;
     const ScratchFolder folder;
