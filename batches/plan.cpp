@@ -60,7 +60,8 @@ std::vector<fs::path> recordings_in(const fs::path& folder) {
     return found;
 }
 
-Manifest plan_recordings(const RecordingsOrder& order, const fs::path& folder) {
+Manifest plan_recordings(const RecordingsOrder& order, const fs::path& folder,
+                         const PlanProgress& progress) {
     Manifest manifest;
     manifest.kind = order.kind;
     std::set<std::string> ids;
@@ -75,6 +76,7 @@ Manifest plan_recordings(const RecordingsOrder& order, const fs::path& folder) {
         }
     }
     for (const OrderedRecording& one : order.recordings) {
+        if (progress) progress(manifest.items.size(), order.recordings.size());
         Json item{{"recording", name_of(one.path, folder)}, {"sha256", sha256_of_file(one.path)}};
         if (one.attempt > 0) item["attempt"] = one.attempt;
         if (one.pass_points) item["pass_points"] = *one.pass_points;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,10 +47,14 @@ void need_policy(const std::string& name);
 /// Recordings in a folder, sorted by name. Throws BatchError when there are none.
 [[nodiscard]] std::vector<std::filesystem::path> recordings_in(const std::filesystem::path& folder);
 
+/// Told before each file how many were read; what it throws ends the plan.
+using PlanProgress = std::function<void(size_t done, size_t of)>;
+
 /// Reads every file once, for its checksum. Files below `folder` are named from there, so that the
 /// batch may be moved. Throws BatchError or DefinitionError.
 [[nodiscard]] Manifest plan_recordings(const RecordingsOrder& order,
-                                       const std::filesystem::path& folder);
+                                       const std::filesystem::path& folder,
+                                       const PlanProgress& progress = {});
 [[nodiscard]] Manifest plan_rollouts(const RolloutsOrder& order);
 
 }  // namespace placode::batches

@@ -17,6 +17,7 @@
 #include "reports/report.h"
 #include "tests/environment_fixture.h"
 #include "tests/programs_fixture.h"
+#include "tests/stopped_program.h"
 
 namespace placode::test {
 namespace THIS_TEST {
@@ -231,6 +232,26 @@ TEST_F(DatasetPrograms, WhatWaitsForItsReplayIsNotGivenAway) {
     EXPECT_EQ(number_in(made.out, "demonstrations"), 5);
     EXPECT_EQ(number_in(made.out, "not_counted"), 1);
     EXPECT_EQ(number_in(made.out, "left_out"), 2) << "of who did not agree";
+}
+
+TEST_F(DatasetPrograms, AskedToStopOrWithoutAPlaceItWritesNothing) {
+    keep(episode("random", 1).recording, "0");
+    for (int i = 1; i < 200; ++i)
+        fs::create_hard_link(file("in/0.placode"), file("in/" + std::to_string(i) + ".placode"));
+    const Outcome ended =
+        stopped(folder, {"dataset", "--recordings", "in", "--out", "set"}, SIGINT);
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_THAT(ended.err, HasSubstr("dataset: stopped; nothing was written"));
+    EXPECT_FALSE(fs::exists(file("set")));
+    // The place is looked at before the first recording, which cannot be read.
+    write_text(file("in/0.placode"), "damaged");
+    for (const auto& [out, words] :
+         {std::pair{"in", "expected an empty folder"}, std::pair{"in/0.placode", "is no folder"}}) {
+        const Outcome refused = dataset("--recordings in --out " + std::string(out));
+        EXPECT_EQ(refused.status, 2);
+        EXPECT_THAT(refused.err,
+                    testing::AllOf(HasSubstr("--out " + std::string(out)), HasSubstr(words)));
+    }
 }
 
 TEST_F(DatasetPrograms, APersonsRecordingInAFolderIsRefused) {

@@ -55,6 +55,12 @@ void refuse_useless(const BatchPlanOptions& options) {
                              words + "); leave it out");
 }
 
+void go_on_unless_asked_to_stop() {
+    if (!CancelOn::requested()) return;
+    clear_progress();
+    throw std::runtime_error("batch plan: stopped; nothing was planned");
+}
+
 /// Recordings out of the store, into the batch's own folder: a node of a cluster needs no access to
 /// the store.
 std::vector<batches::OrderedRecording> out_of_store(const Context& context,
@@ -74,7 +80,7 @@ std::vector<batches::OrderedRecording> out_of_store(const Context& context,
         session.actor(), "batch.extract", "task " + task.id,
         "recordings of " + sim::counted(attempts.size(), "attempt") + " for a batch");
     for (const auto& attempt : attempts) {
-        if (CancelOn::requested()) throw std::runtime_error("batch plan: stopped");
+        go_on_unless_asked_to_stop();
         show_progress("recording " + std::to_string(files.size() + 1) + " of " +
                       std::to_string(attempts.size()));
         char name[48];
@@ -142,7 +148,12 @@ batches::Manifest plan_of(const Context& context, const BatchPlanOptions& option
     order.task = options.kind == "rescore" ? options.task : "";
     order.metrics = options.metrics;
     order.threads = options.threads;
-    return batches::plan_recordings(order, options.out);
+    auto manifest = batches::plan_recordings(order, options.out, [](size_t done, size_t of) {
+        go_on_unless_asked_to_stop();
+        show_progress("checksum " + std::to_string(done + 1) + " of " + std::to_string(of));
+    });
+    clear_progress();
+    return manifest;
 }
 
 int plan(const Context& context, const BatchPlanOptions& options) {
@@ -151,6 +162,7 @@ int plan(const Context& context, const BatchPlanOptions& options) {
     batches::Manifest manifest = plan_of(context, options);
     manifest.build = batches::build_text(ui::version_text());
     manifest.shard_size = options.shard_size;
+    go_on_unless_asked_to_stop();
     batches::write_manifest(options.out, manifest);
     print(context,
           {{"batch", manifest.seal},

@@ -22,6 +22,7 @@
 #include "ui/cli/progress.h"
 #include "ui/cli/scratch_folder.h"
 #include "ui/cli/session.h"
+#include "ui/cli/write_file.h"
 #include "ui/version.h"
 
 namespace placode::cli {
@@ -61,12 +62,22 @@ reports::Demonstration judged(const std::string& file) {
     return one;
 }
 
+/// Before each attempt is scored.
+void tell_scored(size_t done, size_t of) {
+    if (CancelOn::requested()) {
+        clear_progress();
+        throw std::runtime_error("dataset: stopped; nothing was written");
+    }
+    show_progress("scoring " + std::to_string(done + 1) + " of " + std::to_string(of));
+}
+
 /// Of scripts and policies. A folder says nothing about what a person agreed to.
 Chosen from_folder(const DatasetOptions& options) {
     Chosen chosen;
     chosen.origin = "The attempts were made by programs.";
-    for (const fs::path& file :
-         of_batch([&] { return batches::recordings_in(options.recordings); })) {
+    const auto files = of_batch([&] { return batches::recordings_in(options.recordings); });
+    for (const fs::path& file : files) {
+        tell_scored(chosen.demonstrations.size(), files.size());
         reports::Demonstration one = judged(file.string());
         if (one.of_a_person)
             throw InputError(file.string() +
@@ -96,7 +107,10 @@ Chosen from_study(Session& session, const DatasetOptions& options, const fs::pat
     for (const auto& one : session.store().studies().participants(options.study))
         agreed[one.code] =
             db::has_agreed(session.store(), options.study, one.code, options.statement);
-    for (const db::StepRecord& step : session.store().studies().steps(options.study)) {
+    const auto steps = session.store().studies().steps(options.study);
+    for (size_t i = 0; i < steps.size(); ++i) {
+        const db::StepRecord& step = steps[i];
+        tell_scored(i, steps.size());
         if (step.attempt_id == 0 || step.superseded() || step.state != db::StepState::kDone)
             continue;
         if (!agreed[step.participant]) {
@@ -121,6 +135,18 @@ Chosen from_study(Session& session, const DatasetOptions& options, const fs::pat
     return chosen;
 }
 
+/// As write_demonstrations() will want it, before all the scoring.
+void need_empty_folder(const std::string& out) {
+    need_writable_folder("--out", out);
+    if (!fs::is_directory(out)) return;
+    for (const auto& entry : fs::directory_iterator(out))
+        if (entry.path().filename() != "recordings" || !entry.is_directory() ||
+            !fs::is_empty(entry.path()))
+            throw InputError("--out " + out +
+                             ": cannot be used for a data set; expected an empty folder, or one "
+                             "that is not there and can be made");
+}
+
 std::array<int, 3> split_of(const DatasetOptions& options) {
     const auto& parts = options.split;
     if (parts.size() != 3 || parts[0] < 1 || std::min(parts[1], parts[2]) < 0 ||
@@ -139,6 +165,7 @@ int dataset(const Context& context, const DatasetOptions& options) {
                          ": expected a multiple of 10 ms: samples are recorded as often");
     reports::DemonstrationOptions how;
     how.split = split_of(options);
+    need_empty_folder(options.out);
     how.seed = options.seed;
     how.step_s = options.step_ms / 1000.0;
     if (!options.licence.empty()) how.licence = options.licence;
@@ -150,6 +177,7 @@ int dataset(const Context& context, const DatasetOptions& options) {
     if (!options.study.empty()) session = std::make_unique<Session>(context, Missing::kRefuse);
     const Chosen chosen =
         session ? from_study(*session, options, workplace.path()) : from_folder(options);
+    clear_progress();
     if (chosen.demonstrations.empty())
         throw InputError(
             "dataset: no attempt may be given away: " + sim::counted(chosen.left_out, "attempt") +
