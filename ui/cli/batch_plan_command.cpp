@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 
+#include "batches/checksum.h"
 #include "batches/plan.h"
 #include "db/standards.h"
 #include "sim/core/counted.h"
@@ -61,6 +62,21 @@ void go_on_unless_asked_to_stop() {
     throw std::runtime_error("batch plan: stopped; nothing was planned");
 }
 
+/// Puts what was taken out in its place. What is there may be the input of a batch: it stays.
+void put_recording(const fs::path& part, const fs::path& place, const std::string& out) {
+    if (!fs::exists(place)) {
+        fs::rename(part, place);
+        return;
+    }
+    const bool same = batches::sha256_of_file(part) == batches::sha256_of_file(place);
+    fs::remove(part);
+    if (same) return;
+    clear_progress();
+    throw InputError("--out " + out + ": " + place.string() +
+                     " is another recording than the store's of this number; choose another "
+                     "folder, or remove that one");
+}
+
 /// Recordings out of the store, into the batch's own folder: a node of a cluster needs no access to
 /// the store.
 std::vector<batches::OrderedRecording> out_of_store(const Context& context,
@@ -94,7 +110,7 @@ std::vector<batches::OrderedRecording> out_of_store(const Context& context,
             if (error.kind() != db::StoreError::Kind::kNotFound) throw;
             continue;  // It was made without a recording.
         }
-        fs::rename(part, folder / name);
+        put_recording(part, folder / name, options.out);
         files.push_back({folder / name, attempt.id, {}});
         if (options.kind == "rescore")
             files.back().pass_points =
