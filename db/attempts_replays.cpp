@@ -26,9 +26,11 @@ std::string judged_here(StoreContext& context) {
 std::vector<int64_t> Attempts::waiting_for_replay() {
     connection_.begin_operation("list what is to be replayed in");
     context_.need(Action::kUseStore);
-    Statement query(connection_, "SELECT a.id FROM attempts a WHERE a.replay = ?" +
+    // The number as the index has it (db/sql/0018_searches.sql).
+    static_assert(static_cast<int>(ReplayState::kWaiting) == 1);
+    Statement query(connection_, "SELECT a.id FROM attempts a WHERE a.replay = 1" +
                                      judged_here(context_) + " ORDER BY a.started_utc, a.id");
-    query.run(static_cast<int>(ReplayState::kWaiting));
+    query.run();
     return ids_of(query);
 }
 

@@ -222,12 +222,19 @@ DROP FUNCTION IF EXISTS placode_guard.trail_begin(), placode_guard.trail_trust()
 CREATE OR REPLACE FUNCTION placode_guard.trail_entries(of_trust BOOLEAN)
 RETURNS TABLE (id BIGINT, at_utc TEXT, actor TEXT, action TEXT, object TEXT, detail TEXT, chain TEXT, seals TEXT,
     station TEXT, signature TEXT, before TEXT)
-LANGUAGE sql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
-    SELECT t.id, t.at_utc, t.actor, t.action, t.object, t.detail, t.chain, t.seals, t.station, t.signature,
-        coalesce((SELECT p.chain FROM public.audit p WHERE p.id < t.id ORDER BY p.id DESC LIMIT 1), '')
-    FROM public.audit t WHERE CASE WHEN of_trust THEN t.action = 'station.trust'
-        ELSE t.id > 0 AND t.station <> '' END ORDER BY t.id LIMIT CASE WHEN of_trust THEN NULL ELSE 8 END
-$$
+LANGUAGE plpgsql STABLE SECURITY DEFINER SET search_path = pg_catalog, pg_temp AS $$
+BEGIN
+    -- Two questions: one condition for both would have every entry of the trail read.
+    IF of_trust THEN
+        RETURN QUERY SELECT t.id, t.at_utc, t.actor, t.action, t.object, t.detail, t.chain, t.seals, t.station,
+            t.signature, coalesce((SELECT p.chain FROM public.audit p WHERE p.id < t.id ORDER BY p.id DESC LIMIT 1), '')
+            FROM public.audit t WHERE t.action = 'station.trust' ORDER BY t.id;
+    ELSE
+        RETURN QUERY SELECT t.id, t.at_utc, t.actor, t.action, t.object, t.detail, t.chain, t.seals, t.station,
+            t.signature, coalesce((SELECT p.chain FROM public.audit p WHERE p.id < t.id ORDER BY p.id DESC LIMIT 1), '')
+            FROM public.audit t WHERE t.id > 0 AND t.station <> '' ORDER BY t.id LIMIT 8;
+    END IF;
+END $$
 --
 CREATE OR REPLACE FUNCTION placode_guard.add_entry(at TEXT, by TEXT, what TEXT, of_object TEXT, with_detail TEXT,
     with_chain TEXT, with_seals TEXT, from_station TEXT, with_signature TEXT) RETURNS BIGINT

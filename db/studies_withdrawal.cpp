@@ -32,7 +32,10 @@ void Studies::erase_participant(const std::string& study_id, const std::string& 
     std::vector<int64_t> attempts;
     {
         // Whatever a step names: what is not the participant's stays whose it is.
-        Statement query(connection_, "SELECT id FROM attempts WHERE study = ? AND participant = ?");
+        // The last condition is that of the index.
+        Statement query(connection_,
+                        "SELECT id FROM attempts WHERE study = ? AND participant = ? AND study <> "
+                        "''");
         query.run(study_id, code);
         while (query.next()) attempts.push_back(query.integer(0));
     }

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a store of years reads for one attempt: an index each, and never a whole table.
+
+#include <gmock/gmock.h>
+
+#include <regex>
+
+#include "db/course_conduct.h"
+#include "db/sql_connection.h"
+#include "tests/exam_course.h"
+#include "tests/recorded_attempt.h"
+#include "tests/store_fixture.h"
+#include "tests/watched_statements.h"
+
+using namespace placode;
+using namespace placode::test;
+using testing::HasSubstr;
+
+namespace THIS_TEST {
+
+World* const world = World::install();
+constexpr const char* kTask = "touch_targets";
+
+class StoreSearches : public EngineTest {
+ protected:
+    void ready() override {
+        const auto store = open();
+        anna_ = store->accounts().create(
+            {"anna", "Anna", "long enough 1", static_cast<db::Roles>(db::Role::kTrainee), false});
+        publish_exam(*store, kTask, "7,8");
+        assign_exam(*store, anna_);
+        code_ = store->studies().new_participant("pilot");
+    }
+    /// A person's, so that its signature is asked for.
+    [[nodiscard]] db::AttemptResult performed() {
+        db::AttemptResult result;
+        result.header.task_id = kTask;
+        result.header.task_version = 1;
+        result.header.started_utc = db::utc_now();
+        result.end.reason = sim::EndReason::kFinished;
+        record_to(folder.file("r" + std::to_string(++files_) + ".placode"), result);
+        return result;
+    }
+    /// All that a day asks: an attempt, an exam, what waits, a withdrawal with erasure.
+    void aDay(db::Store& store) {
+        (void)store.attempts().save(anna_, performed());
+        (void)db::begin_exam(
+            store, anna_, db::prepare_exam(store, anna_, "short", "final", "", "", db::utc_now()));
+        (void)store.attempts().waiting_for_replay();
+        store.studies().withdraw("pilot", code_, db::WithdrawalMode::kErase, "asked for it");
+    }
+
+    int64_t anna_ = 0;
+    std::string code_;
+    int files_ = 0;
+};
+
+INSTANTIATE_TEST_SUITE_P(Engines, StoreSearches, testing::Values("Sqlite", "Postgresql"),
+                         engine_name);
+
+TEST_P(StoreSearches, NothingReadsTheWholeTrailOrAllAttempts) {
+    if (!is_sqlite()) GTEST_SKIP() << "below";
+    std::vector<std::string> asked;
+    {
+        WatchedStatements watched;
+        const auto store = open();
+        watched.forget();
+        aDay(*store);
+        asked = watched.all();
+        EXPECT_THAT(watched.with("action = 'station.trust'"), testing::SizeIs(testing::Ge(2u)))
+            << "or this proves nothing";
+        EXPECT_THAT(watched.with("study <> ''"), testing::Not(testing::IsEmpty()));
+        EXPECT_THAT(watched.with("replay = 1"), testing::Not(testing::IsEmpty()));
+    }
+    // An index of few rows may be read in whole, and of the trail its last entry.
+    const std::regex whole("SCAN (audit|attempts|a|t)\\b(?!.* INDEX attempts_waiting)");
+    for (const std::string& each : asked) {
+        if (!each.starts_with("SELECT") || each.ends_with("LIMIT 1")) continue;
+        if (each.find("attempts") == std::string::npos && each.find("audit") == std::string::npos)
+            continue;
+        const std::string plan = plan_of(folder.file("placode.db"), each);
+        EXPECT_FALSE(std::regex_search(plan, whole)) << each << "\n" << plan;
+    }
+}
+
+// The server's own functions, too: their plans stand in its log.
+TEST_P(StoreSearches, AServerUsesTheIndexes) {
+    if (is_sqlite()) GTEST_SKIP() << "above";
+    if (!fs::exists("/usr/lib/postgresql/15/lib/auto_explain.so")) GTEST_SKIP() << "auto_explain";
+    for (const char* setting :
+         {"session_preload_libraries = 'auto_explain'", "auto_explain.log_min_duration = 0",
+          "auto_explain.log_nested_statements = on", "enable_seqscan = off"}) {
+        RawConnection owner = raw();
+        ASSERT_TRUE(owner.run("ALTER DATABASE " + database + " SET " + setting)) << owner.problem();
+    }
+    const size_t before = World::get().server().log().size();
+    const auto store = open();
+    aDay(*store);
+    const std::string log = World::get().server().log().substr(before);
+    for (const char* index : {"audit_by_action", "attempts_by_study", "attempts_waiting"})
+        EXPECT_THAT(log, HasSubstr(index));
+    for (const char* table : {"audit", "attempts"})
+        EXPECT_THAT(log, testing::Not(HasSubstr(std::string("Seq Scan on ") + table + " ")));
+}
+
+}  // namespace THIS_TEST
