@@ -39,12 +39,17 @@ class Attempts {
     /// The attempt that holds exactly this recording file, if any: a file left over from a crash
     /// between saving and removing is not saved twice.
     [[nodiscard]] std::optional<int64_t> find_recording(const std::string& recording_file);
-    /// Exams and attempts of studies that are still to be simulated again, oldest first. On a
-    /// server those of which it takes this program's word.
+    /// Exams and attempts of studies that are still to be simulated again: those of this build
+    /// first, oldest first. On a server those of which it takes this program's word.
     [[nodiscard]] std::vector<int64_t> waiting_for_replay();
-    /// Practice that may still be simulated again, oldest first: recorded to its end, not void, and
-    /// nobody has done so. It counts meanwhile, unlike what waits.
+    /// Practice that may still be simulated again, in the same order: recorded to its end, not
+    /// void, and nobody has done so. It counts meanwhile, unlike what waits.
     [[nodiscard]] std::vector<int64_t> never_replayed();
+    /// Whether another build recorded the attempt, and this version has read that recording before
+    /// and found nothing that differs: there is nothing more to find here.
+    [[nodiscard]] bool was_read(int64_t attempt_id);
+    /// Remembers it. It is no part of what the attempt is: neither sealed nor in the trail.
+    void set_read(int64_t attempt_id);
     /// Whether a server takes this program's word for what simulating the attempt again gave. A
     /// file takes every program's.
     [[nodiscard]] bool judges_replay(int64_t attempt_id);

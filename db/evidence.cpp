@@ -172,6 +172,8 @@ std::optional<curriculum::ReplayVerdict> verify_attempt(Store& store, int64_t at
             verdict.difference);
         return verdict;
     };
+    // Attempts of other builds are many after an update, and each is read once.
+    if (store.attempts().was_read(attempt_id)) return std::nullopt;
     const AttemptDetail kept = store.attempts().detail(attempt_id);
     if (!store.attempts().judges_replay(attempt_id)) return std::nullopt;
     std::optional<ExtractedRecording> file;
@@ -184,8 +186,8 @@ std::optional<curriculum::ReplayVerdict> verify_attempt(Store& store, int64_t at
         return keep({false, Said::listed(QT_TRANSLATE_NOOP("Said", "the recording is damaged"))});
     }
     const TaskEvidence evidence = task_evidence(store, recording);
-    if (!evidence.task) return std::nullopt;
     const bool of_this_build = recording.header.build == curriculum::this_build();
+    if (of_this_build && !evidence.task) return std::nullopt;
     if (of_this_build && !evidence.doubts.empty())
         return keep(
             {false, Said::listed(QT_TRANSLATE_NOOP("Said", "its task is not the published one"))});
@@ -200,7 +202,10 @@ std::optional<curriculum::ReplayVerdict> verify_attempt(Store& store, int64_t at
         if (const auto doubt = store.attempts().doubt_about(attempt_id, file->path))
             return keep({false, *doubt});
     }
-    if (!of_this_build) return std::nullopt;
+    if (!of_this_build) {
+        store.attempts().set_read(attempt_id);
+        return std::nullopt;
+    }
     const Doubted score = doubt_about(store, kept, recording, file->path);
     if (score.why) return keep({false, *score.why});
     if (!score.told) return std::nullopt;

@@ -57,8 +57,9 @@ using ReplayProgress = std::function<bool(double share)>;
 /// gives under the published rubric, and keeps what came of it. What was stopped, or cannot be
 /// judged here, stays as it was: nullopt. That is a task which is not published; a recording of
 /// another build or instruction set: its last bits are other ones, and that proves nothing against
-/// anybody; other points by an earlier version of this program; and an attempt of which a server
-/// does not take this log-in's word (Attempts::judges_replay()). Throws StoreError.
+/// anybody, so its facts and its signature are compared, once by each version; other points by an
+/// earlier version of this program; and an attempt of which a server does not take this log-in's
+/// word (Attempts::judges_replay()). Throws StoreError.
 std::optional<curriculum::ReplayVerdict> verify_attempt(Store& store, int64_t attempt_id,
                                                         const ReplayProgress& progress = {});
 

@@ -259,10 +259,10 @@ std::string rights_statement() {
                "public.audit, public.attempts FROM ") +
            kStationRole +
            ";\n"
-           // Never its number, nor that it was simulated again.
+           // Never its number, nor that it was simulated again, or read for it.
            "    SELECT string_agg(quote_ident(column_name), ', ') INTO shown FROM "
            "information_schema.columns WHERE table_schema = 'public' AND table_name = 'attempts' "
-           "AND column_name NOT IN ('id', 'replayed_utc', 'generated_from');\n"
+           "AND column_name NOT IN ('id', 'replayed_utc', 'generated_from', 'read_by');\n"
            "    EXECUTE 'GRANT INSERT (' || shown || ') ON public.attempts TO " +
            kStationRole +
            "';\n"

@@ -56,7 +56,7 @@ BEGIN
         WHEN NEW.study = OLD.study AND NEW.participant = OLD.participant
             THEN placode_guard.verifies(OLD.account_id, OLD.study)
         ELSE OLD.study = '' AND OLD.exam_course = '' AND OLD.account_id = placode_guard.me()
-            AND placode_guard.has_role(4) AND NEW.replayed_utc = OLD.replayed_utc
+            AND placode_guard.has_role(4) AND NEW.replayed_utc = OLD.replayed_utc AND NEW.read_by = ''
             AND starts_with(NEW.void_reason, OLD.void_reason)
             AND NEW.replay = CASE WHEN OLD.replay = 0 THEN waits ELSE OLD.replay END END);
     RETURN NEW;

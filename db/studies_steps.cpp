@@ -43,7 +43,7 @@ bool adopt(Connection& connection, const StepRecord& step) {
         replay = ReplayState::kWaiting;
     Statement(connection,
               "UPDATE attempts SET study = ?, participant = ?, void_reason = ?, void_meaning = ?, "
-              "replay = ? WHERE id = ?")
+              "replay = ?, read_by = '' WHERE id = ?")
         .run(step.study_id, step.participant, void_text(voids), void_meaning(voids),
              static_cast<int>(replay), step.attempt_id);
     return recorded;

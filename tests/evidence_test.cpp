@@ -448,6 +448,46 @@ TEST_F(Evidence, WhatAnotherProcessorRecordedWaitsAndIsNotCalledForged) {
     EXPECT_EQ(record(id).replay, db::ReplayState::kWaiting);
     EXPECT_EQ(record(id).void_reason, "");
     EXPECT_FALSE(mastered(anna));
+    Recording own = honest_attempt();
+    own.header.started_utc = "2026-02-02T00:00:00Z";
+    const int64_t later = waiting(*store, jan, own, write(own));
+    EXPECT_THAT(store->attempts().waiting_for_replay(), testing::ElementsAre(later, id))
+        << "it keeps nobody waiting who need not";
+}
+
+// After an update all that waits for the build before is left behind: a night must not go by with
+// reading it again.
+TEST_F(Evidence, WhatAnotherBuildRecordedIsReadOnceByEachVersion) {
+    const auto practised = [&](const std::string& second, const std::string& build) {
+        Recording recording = honest_attempt();
+        recording.header.started_utc = "2026-02-01T00:04:0" + second + "Z";
+        if (!build.empty()) recording.header.build = build;
+        db::AttemptResult result = db::judged(*store, recording);
+        result.recording_file = write(recording);
+        return store->attempts().save(anna, result);
+    };
+    std::vector<int64_t> others;
+    for (const char* second : {"1", "2", "3"})
+        others.push_back(practised(second, "placode 0.1 NEON"));
+    const int64_t own = practised("4", "");
+    EXPECT_THAT(store->attempts().never_replayed(),
+                testing::ElementsAre(own, others[0], others[1], others[2]));
+    RawConnection pen("QSQLITE", folder.file("placode.db"));
+    ASSERT_TRUE(
+        pen.run("UPDATE attempts SET device = 'mouse' WHERE id = " + std::to_string(others[2])));
+    for (const int64_t id : store->attempts().never_replayed())
+        (void)db::verify_attempt(*store, id);
+    EXPECT_EQ(record(own).replay, db::ReplayState::kIdentical);
+    EXPECT_EQ(record(others[2]).replay, db::ReplayState::kDiffers) << "every build reads that";
+    EXPECT_THAT(store->attempts().never_replayed(), testing::ElementsAre(others[0], others[1]));
+    // Whoever reads them again cannot but say so.
+    ASSERT_TRUE(pen.run("UPDATE recordings SET content = x'00'"));
+    for (const int64_t id : store->attempts().never_replayed()) {
+        EXPECT_FALSE(db::verify_attempt(*store, id)) << "the second night";
+        EXPECT_EQ(record(id).replay, db::ReplayState::kNotReplayed);
+    }
+    ASSERT_TRUE(pen.run("UPDATE attempts SET read_by = 'placode 0.0'"));
+    EXPECT_FALSE(db::verify_attempt(*store, others[0])->identical) << "another version reads anew";
 }
 
 /// Data folder of somebody's own for as long as this lives.

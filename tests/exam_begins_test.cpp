@@ -542,7 +542,9 @@ TEST(ExamBeginsOfOldStores, AnOldStoreOpensAndItsExamsStayAsTheyWere) {
     store.reset();
     RawConnection pen("QSQLITE", folder.file("placode.db"));
     for (const char* each :
-         {"DROP INDEX attempts_by_exam_begin", "ALTER TABLE attempts DROP COLUMN exam_begin",
+         {"ALTER TABLE attempts DROP COLUMN read_by",
+          "DELETE FROM schema_migrations WHERE name = '0019_readings.sql'",
+          "DROP INDEX attempts_by_exam_begin", "ALTER TABLE attempts DROP COLUMN exam_begin",
           "DROP TABLE exam_begins",
           "DELETE FROM schema_migrations WHERE name = '0017_exam_begins.sql'"})
         ASSERT_TRUE(pen.run(each)) << pen.problem();

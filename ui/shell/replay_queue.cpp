@@ -57,7 +57,7 @@ void ReplayQueue::verifyAll(const Order& order) {
     const auto store = db::open_store(order.store_url);
     store->act_as(order.actor);
     for (const int64_t id : store->attempts().waiting_for_replay()) {
-        if (stopped_) return;
+        if (!mayGoOn()) return;
         const auto verdict =
             db::verify_attempt(*store, id, [&](double share) { return goesOn(id, share); });
         if (verdict)
@@ -75,6 +75,10 @@ bool ReplayQueue::goesOn(qint64 attempt_id, double share) {
             Q_EMIT moved(attempt_id);
         },
         Qt::QueuedConnection);
+    return mayGoOn();
+}
+
+bool ReplayQueue::mayGoOn() const {
     while (held_ && !stopped_) QThread::msleep(kHeldLookMs);
     return !stopped_;
 }

@@ -39,6 +39,8 @@ class ReplayQueue : public QObject {
     void work(const Order& order);
     void verifyAll(const Order& order);
     [[nodiscard]] bool goesOn(qint64 attempt_id, double share);
+    /// Waits while it is held. false: it is to end.
+    [[nodiscard]] bool mayGoOn() const;
     void ended();
 
     QThreadPool thread_;
