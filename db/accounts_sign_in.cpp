@@ -126,7 +126,7 @@ SignIn Accounts::check_password(const std::string& login, const std::string& pas
 // words of the entry: a commit takes milliseconds, and they would show from afar.
 void Accounts::note_wrong_try(int64_t id) {
     UnitOfWork work(connection_);
-    connection_.lock_table("audit");
+    context_.lock_trail();
     // Its time is the first of its day, which the next try after it takes away.
     const int64_t unknown =
         Statement(connection_,

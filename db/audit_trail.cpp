@@ -55,7 +55,7 @@ void StoreContext::touch(const std::string& kind, const std::vector<std::string>
     if (touched_.contains(object)) return;
     // Until the commit: another computer that changes another row of the same object meanwhile
     // would make both seals wrong.
-    connection.lock_table("audit");
+    lock_trail();
     std::string before = seal_of(connection, object);
     touched_.emplace(std::move(object), std::move(before));
 }
@@ -66,7 +66,8 @@ void StoreContext::made(const std::string& kind, const std::vector<std::string>&
 
 void StoreContext::write_trail() {
     if (entries_.empty() && touched_.empty()) return;
-    connection.lock_table("audit");
+    // Before the lock, because it takes most of the questions: nobody else sees, or hangs anything
+    // on, what this transaction has made, and for what it touches it holds the lock since touch().
     SealChanges seals;
     for (const auto& [object, before] : touched_) {
         std::string after = seal_of(connection, object);
@@ -74,6 +75,7 @@ void StoreContext::write_trail() {
     }
     if (entries_.empty() && seals.empty()) return;
     if (entries_.empty()) append_audit("store.seal", "", "");
+    lock_trail();
     std::string previous = end_of_trail(connection).chain;
     for (size_t i = 0; i < entries_.size(); ++i)
         write_entry({entries_[i], i + 1 == entries_.size() ? seals_text(seals) : "", {}}, previous);

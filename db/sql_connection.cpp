@@ -196,10 +196,17 @@ void Connection::execute(const std::string& sql) {
     if (!query.exec(QString::fromStdString(sql))) fail(query.lastError());
 }
 
-void Connection::lock_table(const std::string& table) {
+void Connection::lock_table(const std::string& table, int patience) {
+    if (is_sqlite()) return;
     // Not LOCK TABLE: a station's log-in has no right to it where it may only add rows.
-    if (!is_sqlite())
-        execute("SELECT pg_advisory_xact_lock(1347371844, hashtext('" + table + "'))");
+    const std::string lock = "pg_advisory_xact_lock(1347371844, hashtext('" + table + "'))";
+    const auto waiting = [this](int64_t times) {
+        const int64_t most = std::min<int64_t>(times * url_.timeout_ms, INT32_MAX);
+        return "set_config('lock_timeout', '" + std::to_string(most) + "', true)";
+    };
+    // In one round trip: the columns are computed from left to right.
+    execute("SELECT " +
+            (patience == 1 ? lock : waiting(patience) + ", " + lock + ", " + waiting(1)));
 }
 
 sqlite3* Connection::sqlite_handle() const {

@@ -45,7 +45,8 @@ class Connection {
     void execute(const std::string& sql);  ///< One statement, no parameters, no result.
     /// Keeps others that ask for the same away from a table until the transaction ends. SQLite has
     /// done so already.
-    void lock_table(const std::string& table);
+    /// @param patience how many times as long it waits as for a row
+    void lock_table(const std::string& table, int patience = 1);
     [[nodiscard]] QSqlDatabase& handle() { return database_; }
     [[nodiscard]] sqlite3* sqlite_handle() const;  ///< nullptr on PostgreSQL.
     [[nodiscard]] const StoreUrl& url() const { return url_; }

@@ -124,7 +124,7 @@ void seal_what_was_there(StoreContext& context) {
     }
     if (!context.station.heads().empty()) return;
     UnitOfWork work(context.connection);
-    context.connection.lock_table("audit");
+    context.lock_trail();
     if (!sealed()) context.seal_the_unsealed();
     work.commit();
 }

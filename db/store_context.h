@@ -69,6 +69,9 @@ struct StoreContext {
     /// The object was made in this transaction.
     void made(const std::string& kind, const std::vector<std::string>& key);
     void made(const std::string& kind, int64_t id) { made(kind, {std::to_string(id)}); }
+    /// One transaction at a time writes the trail, and all of a centre do: it is waited for longer
+    /// than for a row. What others need not wait for comes before.
+    void lock_trail() { connection.lock_table("audit", kTrailPatience); }
     /// Says now that the trail ended there, signed where this computer has a key.
     void sign_head(TrailHead& head);
     /// For a store from before there were seals, and rows that were copied in: seals what has none.
@@ -143,6 +146,7 @@ struct StoreContext {
  private:
     /// What `persons` says of a kept name in this column; the kept name where it says nothing.
     [[nodiscard]] std::string person_of(const std::string& kept, const char* column);
+    static constexpr int kTrailPatience = 12;  ///< A minute, where a row is waited for 5 s.
     void write_trail();
     void write_entry(TrailEntry entry, std::string& previous);
     void remember_trail() noexcept;

@@ -104,4 +104,31 @@ TEST_P(StoreSearches, AServerUsesTheIndexes) {
         EXPECT_THAT(log, testing::Not(HasSubstr(std::string("Seq Scan on ") + table + " ")));
 }
 
+// All of a centre wait while somebody writes the trail.
+TEST_P(StoreSearches, LittleIsAskedWhileOthersWaitForTheTrail) {
+    if (is_sqlite()) GTEST_SKIP() << "a file has one writer from the beginning";
+    ASSERT_TRUE(raw().run("ALTER DATABASE " + database + " SET log_statement = 'all'"));
+    const auto store = open();
+    (void)store->attempts().save(anna_, performed());  // asks what it asks once
+    const size_t before = World::get().server().log().size();
+    (void)store->attempts().save(anna_, performed());
+    const std::string log = World::get().server().log().substr(before);
+    const std::string lock =
+        "LOG:  statement: SELECT set_config('lock_timeout', '60000', true), "
+        "pg_advisory_xact_lock(1347371844, hashtext('audit')), set_config('lock_timeout', '5000', "
+        "true)";
+    const size_t locked = log.find(lock), ended = log.find("LOG:  statement: COMMIT", locked);
+    ASSERT_NE(locked, std::string::npos) << "it is waited for twelve times as long as a row";
+    ASSERT_NE(ended, std::string::npos);
+    EXPECT_EQ(log.find(lock, locked + 1), std::string::npos) << "once";
+    const std::regex runs("LOG:  statement: EXECUTE");
+    const auto asked = [&](size_t from, size_t to) {
+        const std::string part = log.substr(from, to - from);
+        return std::distance(std::sregex_iterator(part.begin(), part.end(), runs),
+                             std::sregex_iterator());
+    };
+    EXPECT_GE(asked(0, locked), 13) << "the seals, or this proves nothing";
+    EXPECT_LE(asked(locked, ended), 3) << "the end of the trail and the entries";
+}
+
 }  // namespace THIS_TEST
