@@ -61,7 +61,8 @@ class Attempts {
     /// What simulating again gave. One that differs is void from then on; `difference` says where.
     /// Only a program says so, never an account.
     void set_replay(int64_t attempt_id, ReplayState state, const Said& difference = {});
-    /// Adds what is damaged to `problems`, for Store::check().
+    /// Adds what is damaged to `problems`, for Store::check(). Reads page by page, and holds one
+    /// recording at a time.
     void check_recordings(std::vector<std::string>& problems);
 
     // attempts_rescores.cpp

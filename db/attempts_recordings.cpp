@@ -3,6 +3,8 @@
 // Recordings in the store, read back: a store that was a backup may come from anybody.
 
 #include <QSaveFile>
+#include <optional>
+#include <utility>
 
 #include "db/attempts.h"
 #include "db/packing.h"
@@ -26,6 +28,43 @@ bool is_believable(size_t packed, int64_t size) {
     constexpr size_t kMostTimesSmaller = 200, kSmall = size_t{1} << 20;
     return size >= 0 && static_cast<size_t>(size) <= kMostRecordingBytes &&
            static_cast<size_t>(size) <= kSmall + kMostTimesSmaller * packed;
+}
+
+/// What is wrong with a recording beyond being damaged; nullopt: it is sound.
+std::optional<std::string> damage_of(int64_t size, const std::string& checksum,
+                                     const QByteArray& content) {
+    try {
+        if (!is_believable(packed_bytes(content).size(), size))
+            return " (it says that it has " + std::to_string(size) + " bytes, no recording has)";
+        if (checksum_of_packed(packed_bytes(content), static_cast<size_t>(size)) == checksum)
+            return std::nullopt;
+    } catch (const StoreError&) {
+        // Damaged, like a wrong checksum.
+    }
+    return "";
+}
+
+/// All recordings in pages of about 64 MiB as they are stored, by the first and last attempt: a
+/// server answers a question for each page and not for each recording, and no page is long to wait
+/// for. The sizes are those of the values: what a row says of its size may be made up.
+std::vector<std::pair<int64_t, int64_t>> recording_pages(Connection& connection) {
+    constexpr int64_t kPageBytes = int64_t{64} << 20;
+    std::vector<std::pair<int64_t, int64_t>> pages;
+    int64_t bytes = 0;
+    Statement query(connection,
+                    "SELECT attempt_id, LENGTH(content) AS bytes FROM recordings ORDER BY "
+                    "attempt_id");
+    query.run();
+    while (query.next()) {
+        const int64_t id = query.integer("attempt_id"), size = query.integer("bytes");
+        if (pages.empty() || bytes + size > kPageBytes) {
+            pages.emplace_back(id, id);
+            bytes = 0;
+        }
+        pages.back().second = id;
+        bytes += size;
+    }
+    return pages;
 }
 
 }  // namespace
@@ -64,30 +103,19 @@ void Attempts::extract_recording(int64_t attempt_id, const std::string& path) {
 
 void Attempts::check_recordings(std::vector<std::string>& problems) {
     context_.need(Action::kBackup);
-    std::vector<int64_t> ids;
-    Statement list(connection_, "SELECT attempt_id FROM recordings ORDER BY attempt_id");
-    list.run();
-    while (list.next()) ids.push_back(list.integer(0));
-    for (const int64_t id : ids) {
+    for (const auto& [first, last] : recording_pages(connection_)) {
         Statement query(connection_,
-                        "SELECT size_bytes, checksum, content FROM recordings WHERE attempt_id = "
-                        "?");
-        query.run(id);
-        if (!query.next()) continue;
-        const QByteArray content = query.bytes("content");
-        const int64_t size = query.integer("size_bytes");
-        std::string why;
-        try {
-            if (!is_believable(packed_bytes(content).size(), size))
-                why = " (it says that it has " + std::to_string(size) + " bytes, no recording has)";
-            else if (checksum_of_packed(packed_bytes(content), static_cast<size_t>(size)) ==
-                     query.text("checksum"))
-                continue;
-        } catch (const StoreError&) {
-            // Reported below, like a wrong checksum.
+                        "SELECT attempt_id, size_bytes, checksum, content FROM recordings WHERE "
+                        "attempt_id BETWEEN ? AND ? ORDER BY attempt_id");
+        query.run(first, last);
+        while (query.next()) {
+            const std::optional<std::string> why = damage_of(
+                query.integer("size_bytes"), query.text("checksum"), query.bytes("content"));
+            if (why)
+                problems.push_back("recordings: the recording of attempt " +
+                                   std::to_string(query.integer("attempt_id")) + " is damaged" +
+                                   *why);
         }
-        problems.push_back("recordings: the recording of attempt " + std::to_string(id) +
-                           " is damaged" + why);
     }
 }
 

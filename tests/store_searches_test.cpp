@@ -104,6 +104,46 @@ TEST_P(StoreSearches, AServerUsesTheIndexes) {
         EXPECT_THAT(log, testing::Not(HasSubstr(std::string("Seq Scan on ") + table + " ")));
 }
 
+// A server answers hundreds of questions a second, and a store of years holds 100,000 recordings.
+TEST_P(StoreSearches, RecordingsAreCheckedByPages) {
+    constexpr int kAll = 50;
+    std::vector<int64_t> ids;
+    {
+        const auto store = open();
+        for (int i = 0; i < kAll; ++i) ids.push_back(store->attempts().save(anna_, performed()));
+    }
+    // Damage in the middle is named as well.
+    ASSERT_TRUE(raw().run("UPDATE recordings SET checksum = 'x' WHERE attempt_id = " +
+                          std::to_string(ids[20])));
+    ASSERT_TRUE(raw().run("UPDATE recordings SET size_bytes = 2000000000 WHERE attempt_id = " +
+                          std::to_string(ids[49])));
+    const std::string logged =
+        is_sqlite() ? "SELECT 1" : "ALTER DATABASE " + database + " SET log_statement = 'all'";
+    ASSERT_TRUE(raw().run(logged));
+    WatchedStatements watched;
+    const auto store = open();
+    watched.forget();
+    const size_t before = is_sqlite() ? 0 : World::get().server().log().size();
+    std::vector<std::string> problems;
+    store->attempts().check_recordings(problems);
+    EXPECT_THAT(problems, testing::ElementsAre(
+                              "recordings: the recording of attempt " + std::to_string(ids[20]) +
+                                  " is damaged",
+                              HasSubstr("the recording of attempt " + std::to_string(ids[49]) +
+                                        " is damaged (it says that it has 2000000000 bytes")));
+    if (is_sqlite()) {
+        EXPECT_LT(watched.with("FROM recordings").size(), 10u);
+        EXPECT_GT(watched.with("FROM recordings").size(), 0u) << "or this proves nothing";
+        return;
+    }
+    const std::string log = World::get().server().log().substr(before);
+    const std::regex runs("LOG:  statement: EXECUTE");
+    const auto asked =
+        std::distance(std::sregex_iterator(log.begin(), log.end(), runs), std::sregex_iterator());
+    EXPECT_LT(asked, 10);
+    EXPECT_GT(asked, 0) << "or this proves nothing";
+}
+
 // All of a centre wait while somebody writes the trail.
 TEST_P(StoreSearches, LittleIsAskedWhileOthersWaitForTheTrail) {
     if (is_sqlite()) GTEST_SKIP() << "a file has one writer from the beginning";
