@@ -11,6 +11,7 @@
 #include <cassert>
 #include <filesystem>
 
+#include "db/disk_room.h"
 #include "db/durable_file.h"
 #include "db/foreign_store.h"
 #include "db/new_store.h"
@@ -148,6 +149,7 @@ void bring_up_to_date(StoreContext& context) {
                 connection.fail(StoreError::Kind::kDamaged,
                                 "not migrated, because it is damaged (" + problem +
                                     "); restore a backup with `placodectl restore FILE`");
+            need_room_for_copy(context, connection.url().path);
             keep_checked_copy(context, connection.url().path + ".before-update-" + file_stamp());
         });
     renew_station_role(connection, changed);
@@ -247,6 +249,8 @@ void Store::backup(const std::string& path) {
             connection.fail(
                 StoreError::Kind::kConflict,
                 Said::that("%1 exists and is not overwritten; give another name").with(file));
+    // Before the trail says that there is a copy, and before a server's store is read in whole.
+    need_room_for_copy(*context_, path);
     if (!connection.is_sqlite())
         if (const auto problems = check(); !problems.empty())
             connection.fail(

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "db/migrations.h"
@@ -25,6 +26,8 @@ struct StoreOptions {
     /// With `station`: a program that acts for people who sign in elsewhere, as a learning platform
     /// lets them in. On a server it needs the log-in of a service (placode_service).
     bool service = false;
+    /// Tests: as if the disk of a copy had this much room [bytes].
+    std::optional<int64_t> room_bytes;
     /// For people anywhere: wrong passwords are counted, and waited for, apart from those that are
     /// typed at stations. Whoever reaches the portal keeps nobody out of a station.
     bool portal = false;

@@ -83,6 +83,35 @@ TEST_F(DurableFile, ADiskWithoutRoomIsSaidWithItsFolder) {
     EXPECT_THAT(error.what(), AnyOf(HasSubstr("make room and try again"), HasSubstr("check it")));
 }
 
+// A copy that fills the store's own disk takes the store with it.
+TEST_F(DurableFile, ACopyWithoutRoomIsRefusedBeforeAnythingIsWritten) {
+    begin_again();
+    auto full = options;
+    full.room_bytes = int64_t{64} << 20;  // Less than the store and the reserve.
+    {
+        const auto store = db::open_store(url(), full);
+        const size_t entries = store->audit().of_action("store.backup").size();
+        const StoreError error =
+            failure_of([&] { store->backup(folder->file("no room.backup.db")); });
+        EXPECT_EQ(error.kind(), StoreError::Kind::kRefused);
+        EXPECT_THAT(error.what(), HasSubstr("only 67 MB are free there, and the copy needs 6"));
+        EXPECT_EQ(store->audit().of_action("store.backup").size(), entries) << "no copy was begun";
+    }
+    for (const auto& entry : fs::directory_iterator(folder->path()))
+        EXPECT_THAT(entry.path().filename().string(), testing::Not(HasSubstr("no room")));
+    // Nor is a store updated that could not be copied before.
+    full.migrations = db::embedded_migrations();
+    full.migrations.push_back({"9001_test.sql", "CREATE TABLE later (id {ID}) {STRICT};\n"});
+    EXPECT_THAT(failure_of([&] { (void)db::open_store(url(), full); }).what(),
+                HasSubstr("MB are free there"));
+    EXPECT_TRUE(names_with(".before-update-").empty());
+    full.room_bytes = int64_t{128} << 20;
+    (void)db::open_store(url(), full);
+    EXPECT_EQ(names_with(".before-update-").size(), 1u);
+    db::open_store(url(), full)->backup(folder->file("room.backup.db"));
+    EXPECT_TRUE(fs::exists(folder->file("room.backup.db")));
+}
+
 // A name is in the folder above it: a power cut must not take new folders and the mark away.
 TEST_F(DurableFile, NewFoldersAndTheMarkAreOnTheDisk) {
     const auto deep = [this] { return folder->file("new/below/placode.db"); };

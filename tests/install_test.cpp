@@ -255,6 +255,66 @@ TEST_F(Install, TheDailyBackupIsCheckedAndOldOnesGo) {
         EXPECT_TRUE(fs::exists(file("data/placode/backups/" + name))) << name;
 }
 
+// The copies of a month must not be what keeps every further one from being made.
+TEST_F(Install, TheDailyBackupMakesRoomAndKeepsOneFailedCopy) {
+    const std::string folder = file("data/placode/backups");
+    fs::create_directories(folder);
+    write_text(file("data/placode/placode.db"), "a store");
+    for (const char* day : {"01", "02", "03", "04", "05"})
+        for (const char* ending : {".backup.db", ".backup.db.head"}) {
+            const std::string copy =
+                folder + "/placode-202601" + std::string(day) + "-000000" + ending;
+            write_text(copy, "a copy");
+            fs::resize_file(copy, 2'000'000);
+        }
+    // On a disk of ROOM copies; db/disk_room.cpp says the words (durable_file_test).
+    fs::create_directories(file("stand_in"));
+    write_text(
+        file("stand_in/placodectl"),
+        "#!/bin/sh\nfor file; do :; done\necho \"$*\" >>calls\n"
+        "if [ -n \"${BROKEN:-}\" ]; then echo x >\"$file.failed\"; exit 1; fi\n"
+        "left=$((ROOM - $(ls \"$(dirname \"$file\")\" | grep -c 'backup.db$')))\n"
+        "if [ $left -lt 1 ]; then\n"
+        "  echo \"placodectl: back up x: only 1 MB are free there, and the copy needs $((1 + "
+        "2 * (1 - left))) MB; make room, or give another place\" >&2\n  exit 1\nfi\n"
+        "echo a copy >\"$file\"\necho a head >\"$file.head\"\n");
+    fs::permissions(file("stand_in/placodectl"), fs::perms(0755));
+    const auto night = [&](const std::string& environment) {
+        return shell("'" PLACODE_SOURCE_DIR "/packaging/scheduled-backup'",
+                     "PATH='" + file("stand_in") + "':\"$PATH\" " + environment);
+    };
+    const auto first_copies = [&] {
+        int there = 0;
+        for (const std::string& name : backups())
+            there += name.starts_with("placode-202601") && name.ends_with(".db") ? 1 : 0;
+        return there;
+    };
+    // No removal would be enough: none goes.
+    Outcome done = night("ROOM=1");
+    EXPECT_EQ(done.status, 1);
+    EXPECT_THAT(done.err, HasSubstr("nothing was backed up"));
+    EXPECT_EQ(backups().size(), 10u);
+    done = night("ROOM=4");
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_EQ(first_copies(), 3) << "the two oldest made room for the new one";
+    EXPECT_EQ(backups().size(), 8u) << "with what lies beside each";
+    EXPECT_EQ(backups().front(), "placode-20260103-000000.backup.db");
+    // Two are there whatever happens.
+    done = night("ROOM=2");
+    EXPECT_EQ(done.status, 1) << done.out;
+    EXPECT_GE(first_copies(), 2);
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_EQ(night("ROOM=9 BROKEN=1").status, 1);
+        ASSERT_EQ(shell("sleep 1.1").status, 0);  // names have seconds
+    }
+    const auto names = backups();
+    EXPECT_EQ(std::count_if(names.begin(), names.end(),
+                            [](const std::string& each) { return each.ends_with(".failed"); }),
+              1);
+    // A copy is checked once, by the command that makes it.
+    EXPECT_THAT(read_text(file("calls")), Not(HasSubstr(" check")));
+}
+
 TEST_F(Install, TheDailyBackupIsOfTheStoreThatIsNamedAndSaysWhenItIsGone) {
     const auto add = [&](const std::string& path, const std::string& login) {
         fs::create_directories(fs::path(path).parent_path());

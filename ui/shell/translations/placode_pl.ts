@@ -10989,6 +10989,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>%1 już istnieje i nie zostanie nadpisane; podaj inną nazwę</translation>
     </message>
     <message>
+        <source>only %1 MB are free there, and the copy needs %2 MB; make room, or give another place</source>
+        <translation>jest tam tylko %1 MB wolnego miejsca, a kopia potrzebuje %2 MB; zwolnij miejsce albo wskaż inne</translation>
+    </message>
+    <message>
         <source>the attempt has no recording</source>
         <translation>próba nie ma nagrania</translation>
     </message>
