@@ -13,21 +13,28 @@ namespace {
 
 constexpr int64_t kDayS = 86400;
 
+/// One of its cases. A version whose cases were replaced takes nothing from who was examined
+/// before: neither what was passed nor what was used up.
+bool is_case_of(const Course& course, const CourseStage& stage, const AttemptOutcome& outcome) {
+    if (outcome.exam_version != 0 && outcome.exam_version != course.version) return true;
+    const std::vector<uint64_t>& seeds = stage.exam.seeds;
+    return std::find(seeds.begin(), seeds.end(), outcome.seed) != seeds.end();
+}
+
 /// Done as this exam and under its conditions, whatever became of it.
 bool is_exam_of(const Course& course, const CourseStage& stage, const AttemptOutcome& outcome) {
     return stage.mode == StageMode::kExam && outcome.task_id == stage.task_id &&
            outcome.exam_course == course.id && outcome.exam_stage == stage.id &&
            (!stage.exam.proctor || !outcome.proctor.empty()) &&
            (!stage.exam.haptic_certificate || outcome.certified) &&
-           std::find(stage.exam.seeds.begin(), stage.exam.seeds.end(), outcome.seed) !=
-               stage.exam.seeds.end();
+           is_case_of(course, stage, outcome);
 }
 
-/// The case after `seed` in the list, then from the start.
-uint64_t seed_after(const std::vector<uint64_t>& seeds, uint64_t seed) {
+/// The case after `seed` in the list, then from the start; `due` where the list lacks it.
+uint64_t seed_after(const std::vector<uint64_t>& seeds, uint64_t seed, uint64_t due) {
     auto next = std::find(seeds.begin(), seeds.end(), seed);
-    if (next != seeds.end()) ++next;
-    return next == seeds.end() ? seeds.front() : *next;
+    if (next == seeds.end()) return due;
+    return ++next == seeds.end() ? seeds.front() : *next;
 }
 
 /// One stage in the light of all outcomes: mastery that was reached once stays reached.
@@ -41,7 +48,7 @@ StageProgress stage_progress(const Course& course, const CourseStage& stage,
     for (const AttemptOutcome& outcome : outcomes) {
         if (is_exam_of(course, stage, outcome)) {
             // Its case was seen, even where the machine spoilt the attempt.
-            progress.next_seed = seed_after(stage.exam.seeds, outcome.seed);
+            progress.next_seed = seed_after(stage.exam.seeds, outcome.seed, progress.next_seed);
             // A computer can be made slow: once is a mishap, and of more an educator judges, who
             // may grant another attempt.
             const bool spoilt = outcome.voided && given_back++ > 0;

@@ -60,6 +60,7 @@ struct AttemptOutcome {
     std::string at_utc = {};  ///< Start of the attempt; empty = unknown.
     uint64_t seed = 0;
     std::string exam_course = {}, exam_stage = {};  ///< Done as this exam; empty = practice.
+    int exam_version = 0;  ///< Of the course that the exam was begun in; 0 = unknown.
     std::string proctor = {};
     bool certified = false;  ///< On a device with a haptic certificate.
     bool voided = false;     ///< Void for cause: the machine failed. Does not count.
@@ -117,7 +118,7 @@ using ExtraAttempts = std::map<std::string, int>;
 [[nodiscard]] std::string course_json(const Course& course);
 
 /// True when the outcome belongs to the stage: right task, finished, and for an exam done under its
-/// conditions.
+/// conditions. What another version of the course had for cases was checked when it was saved.
 [[nodiscard]] bool counts_for(const Course& course, const CourseStage& stage,
                               const AttemptOutcome& outcome);
 

@@ -41,6 +41,7 @@ struct CourseStanding {
     curriculum::Course course;
     curriculum::CourseProgress progress;
     curriculum::NextStep next;
+    /// Of this version; where that has none, the newest of another one that still stands.
     std::optional<CertificateRecord> certificate;
 };
 
@@ -74,7 +75,8 @@ struct ExamOrder {
 /// another station meanwhile.
 [[nodiscard]] ExamOrder begin_exam(Store& store, int64_t user_id, const ExamOrder& order);
 
-/// Certificate of a mastered course. Throws kRefused, saying what is next, when it is not mastered.
+/// Certificate of a mastered course; that of another version where this one is not mastered. Throws
+/// kRefused, saying what is next, when there is none either.
 CertificateRecord issue_certificate(Store& store, int64_t user_id, const std::string& course_id,
                                     const std::string& now_utc);
 

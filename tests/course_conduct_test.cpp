@@ -242,6 +242,74 @@ TEST_P(CourseStore, AnExamIsPreparedOnlyWhenAllIsThereAndLeadsToACertificate) {
     EXPECT_EQ(db::course_standing(*store, anna, "short", kNow).certificate->id, issued.id);
 }
 
+/// "Attempts and certificates stay", whatever an educator publishes or ends.
+TEST_P(CourseStore, ACertificateStaysWhereANewerVersionAsksForMore) {
+    const int64_t held = assign(anna);
+    attempt(anna, 80);
+    const db::ExamOrder order = db::prepare_exam(*store, anna, "short", "final", "ewa", "", kNow);
+    attempt(anna, 90, order.context, order.seed, "2026-02-03T00:00:00Z");
+    const std::string code = db::issue_certificate(*store, anna, "short", kNow).code;
+    store->courses().end_assignment(held);
+    std::string longer = course_text(2);
+    longer.insert(longer.rfind("]}"), R"(,{"task_id":"grasp_and_lift","consecutive":1})");
+    store->definitions().publish({"course", "short", 2, longer, {}, "more", {}, {}});
+    const db::CourseStanding now = db::course_standing(*store, anna, "short", kNow);
+    ASSERT_EQ(now.course.version, 2);
+    EXPECT_FALSE(now.progress.mastered);
+    ASSERT_TRUE(now.certificate);
+    EXPECT_EQ(now.certificate->code, code);
+    const db::CertificateRecord again = db::issue_certificate(*store, anna, "short", kNow);
+    EXPECT_EQ(again.code, code);
+    EXPECT_EQ(again.course_version, 1) << "what is printed names its version";
+    EXPECT_FALSE(db::course_standing(*store, jan, "short", kNow).certificate);
+    // A row that SQL added names a version that was never published.
+    ASSERT_TRUE(
+        raw().run("INSERT INTO certificates (account_id, course_id, course_version, mastered_utc, "
+                  "issued_utc, issued_by, code) SELECT account_id, course_id, 99, mastered_utc, "
+                  "issued_utc, issued_by, 'ABCD' FROM certificates"));
+    EXPECT_EQ(db::issue_certificate(*store, anna, "short", kNow).code, code);
+    // A version that is mastered as well has its own.
+    publish(3);
+    EXPECT_EQ(db::course_standing(*store, anna, "short", kNow).certificate->code, code);
+    EXPECT_EQ(db::issue_certificate(*store, anna, "short", kNow).course_version, 3);
+}
+
+/// A case that became known is replaced by another one.
+TEST_P(CourseStore, AnExamKeepsWhatWasPassedAndUsedWhenItsCasesAreReplaced) {
+    const auto text = [](int version, const char* seeds) {
+        return R"({"id":"seen","version":)" + std::to_string(version) +
+               R"(,"title":{"en":"Seen"},"stages":[{"id":"final","task_id":"diathermy_ring",)"
+               R"("mode":"exam","consecutive":1,"max_attempts":2,"exam":{"seeds":[)" +
+               seeds + "]}}]}";
+    };
+    const auto publish_cases = [&](int version, const char* seeds) {
+        store->definitions().publish(
+            {"course", "seen", version, text(version, seeds), {}, "a case became known", {}, {}});
+    };
+    const auto own = [&](int64_t user) {
+        return db::course_standing(*store, user, "seen", kNow).progress.stages[0];
+    };
+    publish_cases(1, "7,8");
+    for (const int64_t user : {anna, jan}) {
+        db::AssignmentRecord assignment;
+        assignment.course_id = "seen";
+        assignment.course_version = 1;
+        assignment.user_id = user;
+        const int64_t held = store->courses().assign(assignment);
+        const db::ExamOrder order =
+            db::prepare_exam(*store, user, "seen", "final", "ewa", "", kNow);
+        ASSERT_EQ(order.seed, 7u);
+        attempt(user, user == anna ? 90 : 10, order.context, order.seed, "2026-02-03T00:00:00Z");
+        store->courses().end_assignment(held);
+    }
+    publish_cases(2, "17,8");
+    EXPECT_EQ(own(anna).status, curriculum::StageStatus::kMastered);
+    EXPECT_EQ(own(jan).status, curriculum::StageStatus::kOpen);
+    EXPECT_EQ(own(jan).attempts, 1);
+    EXPECT_EQ(own(jan).attempts_left, 1) << "what was used stays used";
+    EXPECT_EQ(own(jan).next_seed, 17u);
+}
+
 TEST_P(CourseStore, WhatAScriptShowedPassesNothingWhateverTheRowsSay) {
     assign(anna);
     attempt(anna, 80);

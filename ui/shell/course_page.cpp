@@ -42,19 +42,26 @@ class CoursePage : public Page {
     [[nodiscard]] QString title() const override { return tr("Course"); }
 
  private:
-    /// A mastered course has its certificate: issued here, written as a PDF.
+    /// A mastered course has its certificate: issued here, written as a PDF. One of another version
+    /// stays until this one is mastered, too.
     void addCertificate(QVBoxLayout* column) {
-        if (!training_.mastered) return;
+        const auto& there = training_.certificate;
+        if (!training_.mastered && !there) return;
+        const bool shown =
+            there && (!training_.mastered || there->course_version == training_.course.version);
         auto* layout = new QHBoxLayout;
         layout->setSpacing(kSpace16);
         auto* text = new QVBoxLayout;
-        text->addWidget(make_label(tr("The course is mastered"), "heading"));
-        QLabel* code = make_label(training_.certificate
-                                      ? tr("Certificate %1, mastered on %2")
-                                            .arg(qstr(training_.certificate->code),
-                                                 format_when(training_.certificate->mastered_utc))
-                                      : tr("Your certificate is ready to be issued."),
-                                  "muted");
+        text->addWidget(
+            make_label(training_.mastered
+                           ? tr("The course is mastered")
+                           : tr("The course is mastered in version %1").arg(there->course_version),
+                       "heading"));
+        QLabel* code =
+            make_label(shown ? tr("Certificate %1, mastered on %2")
+                                   .arg(qstr(there->code), format_when(there->mastered_utc))
+                             : tr("Your certificate is ready to be issued."),
+                       "muted");
         code->setObjectName("certificate_code");
         text->addWidget(code);
         layout->addLayout(text, 1);
@@ -77,10 +84,11 @@ class CoursePage : public Page {
             const auto issued = db::issue_certificate(
                 context_.store(), context_.user().id, training_.course.id,
                 QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
+            const curriculum::Course course =
+                db::find_course(context_.store(), issued.course_id, issued.course_version);
             // Before the file: nothing leaves without its entry, also when it is written again.
             context_.audit("report.certificate", QString("user %1").arg(context_.user().id), path);
-            reports::write_certificate_pdf(issued, context_.user(), training_.course,
-                                           path.toStdString());
+            reports::write_certificate_pdf(issued, context_.user(), course, path.toStdString());
             findChild<QLabel*>("certificate_code")
                 ->setText(tr("Certificate %1, mastered on %2")
                               .arg(qstr(issued.code), format_when(issued.mastered_utc)));

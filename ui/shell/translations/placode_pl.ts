@@ -1784,6 +1784,10 @@
         <translation>Kurs jest zaliczony</translation>
     </message>
     <message>
+        <source>The course is mastered in version %1</source>
+        <translation>Kurs jest zaliczony w wersji %1</translation>
+    </message>
+    <message>
         <source>Certificate %1, mastered on %2</source>
         <translation>Certyfikat %1, zaliczono %2</translation>
     </message>
