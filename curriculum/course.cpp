@@ -81,8 +81,10 @@ StageProgress stage_progress(const Course& course, const CourseStage& stage,
         if (progress.streak >= stage.consecutive && progress.status != StageStatus::kMastered) {
             progress.status = StageStatus::kMastered;
             progress.mastered_utc = outcome.at_utc;
+            progress.limited = progress.attempts;
         }
     }
+    if (progress.status != StageStatus::kMastered) progress.limited = progress.attempts;
     if (progress.status == StageStatus::kMastered && stage.remind_after_days > 0) {
         if (const auto last = utc_seconds(last_met_utc))
             progress.refresh_utc = utc_text(*last + stage.remind_after_days * kDayS);
@@ -94,7 +96,7 @@ void apply_limit(const CourseStage& stage, const ExtraAttempts& extra, StageProg
     if (stage.max_attempts == 0) return;
     const auto more = extra.find(stage.id);
     const int allowed = stage.max_attempts + (more == extra.end() ? 0 : more->second);
-    progress.attempts_left = std::max(0, allowed - progress.attempts);
+    progress.attempts_left = std::max(0, allowed - progress.limited);
     if (progress.status == StageStatus::kOpen && progress.attempts_left == 0)
         progress.status = StageStatus::kExhausted;
 }

@@ -89,9 +89,12 @@ struct StageProgress {
     StageStatus status = StageStatus::kLocked;
     int streak = 0;    ///< Benchmarks met in a row, up to now; whoever gives one up begins anew.
     int attempts = 0;  ///< That count; of an exam also those that were left.
+    /// Of `attempts`, those that the limit counts: up to the one that mastered it. What is repeated
+    /// after that, as to refresh the skill, is not limited.
+    int limited = 0;
     double best_points = 0;
     std::vector<std::string> missing;  ///< Task ids of the stages that still lock it.
-    int attempts_left = -1;            ///< -1 = no limit.
+    int attempts_left = -1;            ///< Towards mastery; -1 = no limit.
     bool last_critical = false;        ///< The last attempt had a critical error.
     std::string mastered_utc;          ///< Of the attempt that mastered it.
     std::string refresh_utc;           ///< From when the skill is to be refreshed; empty = never.

@@ -48,10 +48,13 @@ void add_limit(const Case& c, LocalText& text) {
 }
 
 LocalText why_refresh(const Case& c) {
-    return Bilingual::phrase(
+    LocalText text = Bilingual::phrase(
         "\"%1\" was mastered, but not repeated since; from %2 the skill fades. Reach %3 points "
         "once more.",
         {c.title, day_text(c.own.refresh_utc), points(c.stage.benchmark_points)});
+    if (c.stage.mode == StageMode::kExam && c.stage.exam.proctor)
+        add(text, Bilingual::phrase("A proctor has to be present."));
+    return text;
 }
 
 LocalText why_start(const Case& c) {
@@ -144,6 +147,8 @@ void choose(const Course& course, const CourseProgress& progress,
         if (!progress.stages[i].refresh_due) continue;
         take(i, NextKind::kRefresh);
         next.to_go = 1;
+        next.attempts_left = -1;
+        if (course.stages[i].mode == StageMode::kExam) next.seed = progress.stages[i].next_seed;
         next.reason = why_refresh(case_of(course, progress, i, titles));
         return;
     }

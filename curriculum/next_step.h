@@ -30,7 +30,7 @@ struct NextStep {
     NextKind kind = NextKind::kFinished;
     int stage = -1;  ///< Into Course::stages; -1 = nothing to do.
     std::string stage_id, task_id;
-    uint64_t seed = 0;       ///< kExam: the seed to use.
+    uint64_t seed = 0;       ///< kExam, also kRefresh of one: the seed to use.
     int to_go = 0;           ///< Benchmarks in a row that are missing.
     int attempts_left = -1;  ///< -1 = no limit.
     bool overdue = false;    ///< The course's own date has passed.

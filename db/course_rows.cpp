@@ -121,7 +121,8 @@ std::optional<Said> why_no_exam(const CourseStanding& standing, const std::strin
     const curriculum::StageProgress& own = progress_of(standing, stage_id);
     if (own.status == curriculum::StageStatus::kLocked)
         return Said::that("locked; to be mastered first: %1").with(own.missing.front());
-    if (own.attempts_left == 0) return Said::that("all attempts are used");
+    if (own.status == curriculum::StageStatus::kExhausted)
+        return Said::that("all attempts are used");
     return std::nullopt;
 }
 

@@ -66,7 +66,8 @@ std::optional<VoidReason> closed_by_now(StoreContext& context, const UserRecord&
     if (stage == nullptr || stage->mode != curriculum::StageMode::kExam)
         return closed(QT_TRANSLATE_NOOP("Said", "the course has no such exam stage"));
     const curriculum::StageProgress& own = progress_of(standing, exam.stage_id);
-    if (own.attempts_left == 0) return closed(QT_TRANSLATE_NOOP("Said", "all attempts are used"));
+    if (own.status == curriculum::StageStatus::kExhausted)
+        return closed(QT_TRANSLATE_NOOP("Said", "all attempts are used"));
     const uint64_t due = begin != nullptr ? begin->seed : own.next_seed;
     if (result.header.task_id != stage->task_id || result.header.seed != due)
         return closed(QT_TRANSLATE_NOOP("Said", "another case is due by now"));

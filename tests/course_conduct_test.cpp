@@ -310,6 +310,37 @@ TEST_P(CourseStore, AnExamKeepsWhatWasPassedAndUsedWhenItsCasesAreReplaced) {
     EXPECT_EQ(own(jan).next_seed, 17u);
 }
 
+TEST_P(CourseStore, APassedExamIsRefreshedThoughItsAttemptsAreUsed) {
+    store->definitions().publish(
+        {"course",
+         "fades",
+         1,
+         R"({"id":"fades","version":1,"title":{"en":"Fades"},"stages":[{"id":"final",)"
+         R"("task_id":"diathermy_ring","mode":"exam","consecutive":1,"max_attempts":1,)"
+         R"("remind_after_days":30,"exam":{"seeds":[7,8]}}]})",
+         {},
+         "because",
+         {},
+         {}});
+    db::AssignmentRecord assignment;
+    assignment.course_id = "fades";
+    assignment.course_version = 1;
+    assignment.user_id = anna;
+    store->courses().assign(assignment);
+    const auto prepared = [&](const char* now) {
+        return db::prepare_exam(*store, anna, "fades", "final", "ewa", "", now);
+    };
+    attempt(anna, 90, prepared("2026-02-03").context, 7, "2026-02-03T00:00:00Z");
+    ASSERT_EQ(db::course_standing(*store, anna, "fades", "2026-03-06").next.kind,
+              curriculum::NextKind::kRefresh);
+    const db::ExamOrder again = prepared("2026-03-06");
+    EXPECT_EQ(again.seed, 8u);
+    attempt(anna, 90, again.context, again.seed, "2026-03-06T00:00:00Z");
+    EXPECT_EQ(store->attempts().list(anna).back().void_reason, "");
+    EXPECT_EQ(db::course_standing(*store, anna, "fades", "2026-03-07").next.kind,
+              curriculum::NextKind::kFinished);
+}
+
 TEST_P(CourseStore, WhatAScriptShowedPassesNothingWhateverTheRowsSay) {
     assign(anna);
     attempt(anna, 80);

@@ -131,6 +131,36 @@ TEST(NextStep, SaysWhatIsNextAndWhyInEveryState) {
     }
 }
 
+/// Only an exam refreshes an exam, so its limit must not close it.
+TEST(NextStep, APassedExamIsRefreshedThoughItsAttemptsAreUsed) {
+    Course made = course();
+    made.stages[0].remind_after_days = 0;
+    made.stages[1].max_attempts = 1;
+    made.stages[1].remind_after_days = 30;
+    std::vector<AttemptOutcome> done{ring(80), ring(80), exam(90, 11)};
+    const auto standing = [&](const std::string& now) { return course_progress(made, done, now); };
+    const auto step = [&](const std::string& now) {
+        return next_step(made, standing(now), kTitles, {}, now);
+    };
+    EXPECT_EQ(step("2026-01-30").kind, NextKind::kFinished);
+    EXPECT_EQ(step("2026-02-01").kind, NextKind::kRefresh);
+    EXPECT_EQ(step("2026-02-01").stage_id, "final");
+    EXPECT_EQ(step("2026-02-01").seed, 12u);
+    EXPECT_EQ(step("2026-02-01").attempts_left, -1);
+    EXPECT_THAT(step("2026-02-01").reason.en, HasSubstr("A proctor has to be present."));
+    // One that goes badly uses up nothing, and the next case is due.
+    done.push_back(exam(10, 12));
+    done.back().at_utc = "2026-02-01";
+    EXPECT_EQ(standing("2026-02-02").stages[1].status, StageStatus::kMastered);
+    EXPECT_EQ(standing("2026-02-02").stages[1].attempts, 2);
+    EXPECT_EQ(standing("2026-02-02").stages[1].limited, 1);
+    EXPECT_EQ(step("2026-02-02").kind, NextKind::kRefresh);
+    EXPECT_EQ(step("2026-02-02").seed, 11u);
+    done.push_back(exam(90, 11));
+    done.back().at_utc = "2026-02-02";
+    EXPECT_EQ(step("2026-02-02").kind, NextKind::kFinished);
+}
+
 TEST(NextStep, DatesOfTheAssignmentAreSaid) {
     const CourseDates dates{"2026-01-10", "2026-01-20"};
     const NextStep before = next({}, "2026-01-09T23:00:00Z", dates);

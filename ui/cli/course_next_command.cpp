@@ -42,7 +42,8 @@ Json to_json(const db::CourseStanding& standing) {
                 {"reason", next.reason.en},
                 {"reason_pl", next.reason.pl}}},
               {"stages", Json::array()}};
-    if (next.kind == curriculum::NextKind::kExam) json["next"]["seed"] = next.seed;
+    if (next.kind == curriculum::NextKind::kExam || next.seed != 0)
+        json["next"]["seed"] = next.seed;
     if (standing.certificate) json["certificate"] = standing.certificate->code;
     for (size_t i = 0; i < standing.course.stages.size(); ++i) {
         const auto& own = standing.progress.stages[i];

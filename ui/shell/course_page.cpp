@@ -246,7 +246,7 @@ class CoursePage : public Page {
         QString rule = stage_rule_words(stage.rule);
         if (stage.rule.requires_stages.empty() && aboveIsLocked(stage))
             rule += tr(" · open to everybody: needs no stage before it");
-        if (stage.progress.attempts_left >= 0)
+        if (stage.progress.attempts_left >= 0 && stage.progress.status != StageStatus::kMastered)
             rule += tr(" · left: %1").arg(stage.progress.attempts_left);
         if (stage.progress.unfinished > 0)
             rule += tr(" · begun, not finished: %1").arg(stage.progress.unfinished);

@@ -49,11 +49,13 @@ bool given_back_before(AppContext& context, const db::AttemptRecord& attempt,
 
 /// Left and idle attempts as well: the case was seen.
 bool uses_up(AppContext& context, const curriculum::Course& course,
-             const curriculum::CourseStage& stage, const db::AttemptRecord& attempt,
-             const Begins& begins) {
+             const curriculum::CourseStage& stage, const curriculum::StageProgress& progress,
+             const db::AttemptRecord& attempt, const Begins& begins) {
     curriculum::AttemptOutcome outcome = outcome_of(attempt, begins);
     if (outcome.voided) outcome.voided = !given_back_before(context, attempt, begins);
     outcome.interrupted = false;
+    const std::string& mastered = progress.mastered_utc;
+    if (!mastered.empty() && outcome.at_utc > mastered) return false;  // A repetition is free.
     return curriculum::counts_for(course, stage, outcome);
 }
 
@@ -65,7 +67,7 @@ QString used_words(const curriculum::StageProgress& own, bool used) {
                              : ExamStandingWords::tr("left: %1").arg(own.attempts_left);
     return (used ? ExamStandingWords::tr("It uses up one of the %1 attempts at this exam; %2.")
                  : ExamStandingWords::tr("It uses up none of the %1 attempts at this exam; %2."))
-        .arg(own.attempts + own.attempts_left)
+        .arg(own.limited + own.attempts_left)
         .arg(left);
 }
 
@@ -113,7 +115,7 @@ ExamStanding exam_standing(AppContext& context, const db::AttemptRecord& attempt
     if (stage == nullptr) return found;
     const auto& own =
         standing->progress.stages[static_cast<size_t>(stage - standing->course.stages.data())];
-    found.used = uses_up(context, standing->course, *stage, attempt, begins);
+    found.used = uses_up(context, standing->course, *stage, own, attempt, begins);
     found.words = used_words(own, found.used) + " " + next_words(context, *standing, *stage, own);
     if (db::counts(attempt))
         found.words.prepend(ExamStandingWords::tr("The attempt counts.") + " ");

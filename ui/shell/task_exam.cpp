@@ -29,7 +29,9 @@ void TaskExam::read(const Place& place) {
     if (stage == nullptr || stage->mode != curriculum::StageMode::kExam) return course_.clear();
     stage_ = *stage;
     const auto at = static_cast<size_t>(stage - standing_.course.stages.data());
-    left_ = standing_.progress.stages[at].attempts_left;
+    const curriculum::StageProgress& own = standing_.progress.stages[at];
+    // Whoever repeats it, as to refresh the skill, uses up none.
+    left_ = own.status == curriculum::StageStatus::kMastered ? -1 : own.attempts_left;
 }
 
 QFrame* TaskExam::makeCard(const std::function<void()>& submit) {
