@@ -108,7 +108,7 @@ class CoursePage : public Page {
             chooser->addItem(name, qstr(id));
         }
         connect(chooser, &QComboBox::activated, this, [this, chooser] {
-            context_.setStoreSetting("course", chooser->currentData().toString());
+            choose_course(context_, chooser->currentData().toString());
             Q_EMIT go({PageId::kCourse, 0, {}, {}});
         });
         head->addWidget(chooser);

@@ -16,6 +16,36 @@ QString Training::taskTitle(const AppContext& context, const std::string& task_i
     return QString::fromStdString(task_id);
 }
 
+namespace {
+
+std::string utc_now() {
+    return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+}
+
+/// A computer is shared: what one trainee looked at is no other's choice.
+QString course_key(const AppContext& context) {
+    return QString("course/%1").arg(context.user().id);
+}
+
+/// The assigned course that has something to do now, by due date; empty = none has.
+std::string course_to_do(AppContext& context) {
+    std::string found;
+    // One that cannot be read is said where it is opened.
+    (void)context.problemOf([&] {
+        for (const db::CourseStanding& each :
+             db::course_standings(context.store(), context.user().id, utc_now())) {
+            if (each.next.kind == curriculum::NextKind::kFinished ||
+                each.next.kind == curriculum::NextKind::kWait)
+                continue;
+            found = each.course.id;
+            return;
+        }
+    });
+    return found;
+}
+
+}  // namespace
+
 std::vector<std::string> course_ids(AppContext& context) {
     std::vector<std::string> ids;
     const auto add = [&](const std::string& id) {
@@ -23,22 +53,27 @@ std::vector<std::string> course_ids(AppContext& context) {
     };
     for (const auto& each : context.store().courses().assignments(context.user().id))
         add(each.course_id);
+    const size_t assigned = ids.size();
     for (const std::string& id : db::course_ids(context.store())) add(id);
     if (ids.empty()) {
         throw curriculum::DefinitionError((curriculum::data_folder() / "courses").string(), "",
                                           "no course found; expected at least one .json file");
     }
-    const std::string chosen = context.storeSetting("course").toString().toStdString();
-    const auto found = std::find(ids.begin(), ids.end(), chosen);
+    std::string first = context.storeSetting(course_key(context)).toString().toStdString();
+    if (first.empty() && assigned > 1) first = course_to_do(context);
+    const auto found = std::find(ids.begin(), ids.end(), first);
     if (found != ids.end()) std::rotate(ids.begin(), found, found + 1);
     return ids;
 }
 
+void choose_course(AppContext& context, const QString& id) {
+    context.setStoreSetting(course_key(context), id);
+}
+
 Training load_training(AppContext& context) {
     Training training;
-    const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-    db::CourseStanding standing =
-        db::course_standing(context.store(), context.user().id, course_ids(context).front(), now);
+    db::CourseStanding standing = db::course_standing(context.store(), context.user().id,
+                                                      course_ids(context).front(), utc_now());
     training.attempts = context.store().attempts().list(context.user().id);
     training.course = std::move(standing.course);
     training.next = std::move(standing.next);

@@ -35,9 +35,13 @@ struct Training {
     [[nodiscard]] QString taskTitle(const AppContext& context, const std::string& task_id) const;
 };
 
-/// Courses by id, the one chosen last first, then assigned ones by due date, then all others.
+/// Courses by id. First the one that this person chose last; without a choice the first assigned
+/// one that is neither finished nor begins later. Then assigned ones by due date, then all others.
 /// Throws DefinitionError when there is none.
 [[nodiscard]] std::vector<std::string> course_ids(AppContext& context);
+
+/// Makes it the first of course_ids(), for this person on this computer.
+void choose_course(AppContext& context, const QString& id);
 
 /// Throws DefinitionError (course) and StoreError.
 [[nodiscard]] Training load_training(AppContext& context);
