@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/course_conduct.h"
 
-#include <algorithm>
 #include <set>
 
 #include "curriculum/shipped_definitions.h"
@@ -123,11 +122,9 @@ std::map<std::string, curriculum::LocalText> task_titles(const Course& course) {
 CourseStanding course_standing(Store& store, int64_t user_id, const std::string& course_id,
                                const std::string& now_utc) {
     AssignmentRecord held;
-    for (const AssignmentRecord& each : store.courses().assignments(user_id)) {
-        if (each.course_id != course_id) continue;
-        held = each;
-        break;
-    }
+    for (const AssignmentRecord& each :
+         held_assignments(store.courses().assignments(user_id), now_utc))
+        if (each.course_id == course_id) held = each;
     return standing_in(store, user_id, held, find_course(store, course_id, held.course_version),
                        rows_of(store, user_id), now_utc);
 }
@@ -136,16 +133,11 @@ std::vector<CourseStanding> course_standings(Store& store, int64_t user_id,
                                              const std::string& now_utc) {
     std::vector<CourseStanding> standings;
     const CourseRows rows = rows_of(store, user_id);
-    for (const AssignmentRecord& each : store.courses().assignments(user_id)) {
-        // Assigned by person and by group: the one that is due first counts.
-        const bool there =
-            std::any_of(standings.begin(), standings.end(),
-                        [&](const CourseStanding& one) { return one.course.id == each.course_id; });
-        if (there) continue;
+    for (const AssignmentRecord& each :
+         held_assignments(store.courses().assignments(user_id), now_utc))
         standings.push_back(standing_in(store, user_id, each,
                                         find_course(store, each.course_id, each.course_version),
                                         rows, now_utc));
-    }
     return standings;
 }
 

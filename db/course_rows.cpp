@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
+#include <tuple>
 
 #include "curriculum/shipped_definitions.h"
+#include "curriculum/utc_time.h"
 #include "db/attempt_rows.h"
 #include "db/store_context.h"
 
@@ -42,25 +45,29 @@ std::vector<GrantRecord> grants_of(Connection& connection, int64_t user_id) {
     return found;
 }
 
-/// The one that is due first, of the person or by group; id 0 = none.
+/// The one that holds; id 0 = none.
 AssignmentRecord assignment_of(Connection& connection, int64_t user_id,
-                               const std::string& course_id) {
+                               const std::string& course_id, const std::string& now_utc) {
     Statement query(
         connection,
-        "SELECT id, course_version, starts_utc, due_utc FROM course_assignments WHERE course_id = "
-        "? AND ended_utc = '' AND (account_id = ? OR group_id IN (SELECT group_id FROM "
-        "group_members WHERE account_id = ? AND teaches = 0)) ORDER BY CASE WHEN due_utc = '' THEN "
-        "1 ELSE 0 END, due_utc, id LIMIT 1");
+        "SELECT id, course_version, COALESCE(account_id, 0) AS for_user, COALESCE(group_id, 0) AS "
+        "for_group, starts_utc, due_utc FROM course_assignments WHERE course_id = ? AND ended_utc "
+        "= '' AND (account_id = ? OR group_id IN (SELECT group_id FROM group_members WHERE "
+        "account_id = ? AND teaches = 0)) ORDER BY id");
     query.run(course_id, user_id, user_id);
-    AssignmentRecord found;
-    if (!query.next()) return found;
-    found.id = query.integer("id");
-    found.course_id = course_id;
-    found.course_version = static_cast<int>(query.integer("course_version"));
-    found.user_id = user_id;
-    found.starts_utc = query.text("starts_utc");
-    found.due_utc = query.text("due_utc");
-    return found;
+    std::vector<AssignmentRecord> all;
+    while (query.next()) {
+        AssignmentRecord& found = all.emplace_back();
+        found.id = query.integer("id");
+        found.course_id = course_id;
+        found.course_version = static_cast<int>(query.integer("course_version"));
+        found.user_id = query.integer("for_user");
+        found.group_id = query.integer("for_group");
+        found.starts_utc = query.text("starts_utc");
+        found.due_utc = query.text("due_utc");
+    }
+    all = held_assignments(std::move(all), now_utc);
+    return all.empty() ? AssignmentRecord{} : all.front();
 }
 
 Course course_of(StoreContext& context, const std::string& id, int version) {
@@ -70,7 +77,30 @@ Course course_of(StoreContext& context, const std::string& id, int version) {
     return shipped ? curriculum::load_course_text(*shipped, "course " + id) : Course{};
 }
 
+/// By due date, open-ended ones last.
+auto due_order(const AssignmentRecord& a) { return std::tuple(a.due_utc.empty(), a.due_utc, a.id); }
+
 }  // namespace
+
+std::vector<AssignmentRecord> held_assignments(std::vector<AssignmentRecord> assignments,
+                                               const std::string& now_utc) {
+    const auto now = curriculum::utc_seconds(now_utc);
+    // What begins later locks nobody out of what runs; whom an educator gave dates of their own
+    // has those.
+    const auto order = [&](const AssignmentRecord& a) {
+        const auto starts = curriculum::utc_seconds(a.starts_utc);
+        const bool later = now && starts && *now < *starts;
+        return std::tuple(later ? *starts : 0, a.user_id == 0, due_order(a));
+    };
+    std::sort(assignments.begin(), assignments.end(),
+              [&](const auto& a, const auto& b) { return order(a) < order(b); });
+    std::set<std::string> seen;
+    std::erase_if(assignments,
+                  [&](const auto& each) { return !seen.insert(each.course_id).second; });
+    std::sort(assignments.begin(), assignments.end(),
+              [](const auto& a, const auto& b) { return due_order(a) < due_order(b); });
+    return assignments;
+}
 
 std::vector<AttemptRecord> own_attempts(std::vector<AttemptRecord> attempts, bool demonstration) {
     if (demonstration) return attempts;
@@ -103,7 +133,7 @@ CourseRows course_rows(StoreContext& context, const UserRecord& user) {
 CourseStanding standing_from(StoreContext& context, const std::string& course_id, int64_t user_id,
                              const CourseRows& rows, const std::string& now_utc) {
     CourseStanding standing;
-    standing.assignment = assignment_of(context.connection, user_id, course_id);
+    standing.assignment = assignment_of(context.connection, user_id, course_id, now_utc);
     standing.course = course_of(context, course_id, standing.assignment.course_version);
     standing.progress = progress_in(standing.course, rows, now_utc);
     standing.next = curriculum::next_step(

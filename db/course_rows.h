@@ -32,6 +32,12 @@ struct CourseRows {
                                                      const CourseRows& rows,
                                                      const std::string& now_utc);
 
+/// Of the assignments of one person the one that holds in each course, by due date, open-ended ones
+/// last. One that has begun comes before one that begins later, then that of the person before that
+/// of a group, then the one that is due first.
+[[nodiscard]] std::vector<AssignmentRecord> held_assignments(
+    std::vector<AssignmentRecord> assignments, const std::string& now_utc);
+
 /// Asks for nobody's rights. Throws StoreError.
 [[nodiscard]] CourseRows course_rows(StoreContext& context, const UserRecord& user);
 

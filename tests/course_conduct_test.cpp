@@ -65,13 +65,15 @@ class CourseStore : public EngineTest {
         definition.reason = "because";
         store->definitions().publish(definition);
     }
-    int64_t assign(int64_t user, int64_t group = 0, const std::string& due = "") const {
+    int64_t assign(int64_t user, int64_t group = 0, const std::string& due = "",
+                   const std::string& starts = "") const {
         db::AssignmentRecord assignment;
         assignment.course_id = "short";
         assignment.course_version = 1;
         assignment.user_id = user;
         assignment.group_id = group;
         assignment.due_utc = due;
+        assignment.starts_utc = starts;
         return store->courses().assign(assignment);
     }
     void attempt(int64_t user, double points, const db::ExamContext& exam = {}, uint64_t seed = 1,
@@ -156,6 +158,48 @@ TEST_P(CourseStore, ACourseIsAssignedByPersonOrGroupAndEnds) {
     ASSERT_EQ(store->courses().assignments(anna).size(), 1u);
     EXPECT_EQ(store->courses().assignments(anna)[0].id, by_group);
     EXPECT_EQ(store->courses().assignments(0).size(), 2u) << "ended ones are kept";
+}
+
+TEST_P(CourseStore, WhatBeginsLaterDoesNotBlockWhatRunsAndTheOwnDatesComeBeforeTheGroups) {
+    const int64_t group = store->groups().create("A");
+    store->groups().set_role(group, anna, GroupRole::kMember);
+    store->groups().set_role(group, jan, GroupRole::kMember);
+    const int64_t of_all = assign(0, group);
+    const int64_t own = assign(anna, 0, "2026-05-01", "2026-04-01");
+    const auto held = [&](int64_t user, const char* now) {
+        const auto listed = db::course_standings(*store, user, now);
+        EXPECT_EQ(listed.size(), 1u);
+        const auto one = db::course_standing(*store, user, "short", now);
+        EXPECT_EQ(one.assignment.id, listed.at(0).assignment.id);
+        return one;
+    };
+    EXPECT_EQ(held(anna, kNow).assignment.id, of_all);
+    EXPECT_EQ(held(anna, kNow).next.kind, curriculum::NextKind::kStart);
+    EXPECT_EQ(held(anna, "2026-04-02").assignment.id, own);
+    store->courses().end_assignment(of_all);
+    EXPECT_EQ(held(anna, kNow).next.kind, curriculum::NextKind::kWait) << "there is no other";
+    // More time for one of the group.
+    store->courses().end_assignment(own);
+    const int64_t earlier = assign(0, group, "2026-02-01");
+    const int64_t longer = assign(anna, 0, "2026-06-01");
+    EXPECT_EQ(held(anna, kNow).assignment.id, longer);
+    EXPECT_FALSE(held(anna, kNow).next.overdue);
+    EXPECT_EQ(held(jan, kNow).assignment.id, earlier);
+    EXPECT_TRUE(held(jan, kNow).next.overdue);
+}
+
+/// The store looks again when an exam begins and when it is saved.
+TEST_P(CourseStore, AnExamIsOfTheAssignmentThatRuns) {
+    const int64_t group = store->groups().create("A");
+    store->groups().set_role(group, anna, GroupRole::kMember);
+    assign(0, group);
+    assign(anna, 0, "2099-05-01", "2099-04-01");
+    attempt(anna, 80);
+    const db::ExamOrder order = db::prepare_exam(*store, anna, "short", "final", "ewa", "", kNow);
+    attempt(anna, 90, order.context, order.seed, "2026-02-03T00:00:00Z");
+    EXPECT_EQ(store->attempts().list(anna).back().void_reason, "");
+    const db::ExamOrder next = db::prepare_exam(*store, anna, "short", "final", "ewa", "", kNow);
+    EXPECT_GT(db::begin_exam(*store, anna, next).context.begin, 0);
 }
 
 TEST_P(CourseStore, WhatCannotBeAssignedIsRefusedAndChangesNothing) {
