@@ -51,14 +51,19 @@ std::optional<VoidReason> closed(const char* why) {
     return VoidReason{VoidCause::kExamClosed, 0, 0, Said::listed(why)};
 }
 
-/// Attempts, assignment and stage as they are now. @param begin absent: of an import.
+/// Of an exam that was begun here: the rest was asked in the transaction that began it. What an
+/// educator publishes or ends meanwhile takes nobody's exam.
+std::optional<VoidReason> other_case(const AttemptResult& result, const ExamBeginRecord& begin) {
+    if (result.header.task_id == begin.task_id && result.header.seed == begin.seed)
+        return std::nullopt;
+    return closed(QT_TRANSLATE_NOOP("Said", "another case is due by now"));
+}
+
+/// Of an import: attempts, assignment and stage as they are now.
 std::optional<VoidReason> closed_by_now(StoreContext& context, const UserRecord& user,
-                                        const AttemptResult& result, CourseRows rows,
-                                        const ExamBeginRecord* begin, const std::string& now_utc) {
+                                        const AttemptResult& result, const CourseRows& rows,
+                                        const std::string& now_utc) {
     const ExamContext& exam = result.exam;
-    // It is the one of which is asked whether it is left.
-    if (begin != nullptr)
-        std::erase_if(rows.begins, [&](const auto& each) { return each.id == begin->id; });
     const CourseStanding standing = standing_from(context, exam.course_id, user.id, rows, now_utc);
     if (standing.assignment.id == 0)
         return closed(QT_TRANSLATE_NOOP("Said", "the course is not assigned to this person"));
@@ -68,8 +73,7 @@ std::optional<VoidReason> closed_by_now(StoreContext& context, const UserRecord&
     const curriculum::StageProgress& own = progress_of(standing, exam.stage_id);
     if (own.status == curriculum::StageStatus::kExhausted)
         return closed(QT_TRANSLATE_NOOP("Said", "all attempts are used"));
-    const uint64_t due = begin != nullptr ? begin->seed : own.next_seed;
-    if (result.header.task_id != stage->task_id || result.header.seed != due)
+    if (result.header.task_id != stage->task_id || result.header.seed != own.next_seed)
         return closed(QT_TRANSLATE_NOOP("Said", "another case is due by now"));
     return std::nullopt;
 }
@@ -174,8 +178,11 @@ ExamCheck check_exam(StoreContext& context, const UserRecord& user, const Attemp
     if (!proctor.kept.empty() && !proctor.may_be)
         check.doubts.push_back({VoidCause::kProctor, 0, 0, {}});
     std::optional<VoidReason> shut;
-    if (begin == nullptr) shut = import_doubt(context, user, proctor.may_be, result);
-    if (!shut) shut = closed_by_now(context, user, result, rows, begin, now);
+    if (begin != nullptr)
+        shut = other_case(result, *begin);
+    else
+        shut = import_doubt(context, user, proctor.may_be, result);
+    if (begin == nullptr && !shut) shut = closed_by_now(context, user, result, rows, now);
     add(check, shut);
     if (own || begin != nullptr) add(check, clock_doubt(result, begin, now));
     add(check, version_doubt(result, begin != nullptr

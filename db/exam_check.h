@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whether an attempt that is being saved as an exam is the one that was begun. What was shown when
-// it began may be long over: attempts, case and assignment are looked up again, within the
-// transaction that saves it.
+// Whether an attempt that is being saved as an exam is the one that was begun, asked within the
+// transaction that saves it. Attempts, case and assignment were asked when it began; of one that
+// was begun elsewhere, as of an import, they are looked up now.
 
 #include <cstdint>
 #include <string>

@@ -311,7 +311,7 @@ TEST_P(ExamBegins, OfManyAtOnceOneBeginsTheLastAttempt) {
     EXPECT_EQ(stage().attempts, 2);
 }
 
-TEST_P(ExamBegins, AttemptsCaseAndAssignmentAreLookedUpAgainWhenTheExamIsSaved) {
+TEST_P(ExamBegins, OfAnImportAttemptsCaseAndAssignmentAreLookedUpWhenItIsSaved) {
     // Two stations of an older program: nobody wrote down that they began.
     const db::ExamOrder one = prepared(*store), two = prepared(*store);
     db::AttemptResult poor = result_of(one);
@@ -324,11 +324,42 @@ TEST_P(ExamBegins, AttemptsCaseAndAssignmentAreLookedUpAgainWhenTheExamIsSaved) 
     const db::AttemptRecord third = take(result_of(two));
     EXPECT_THAT(third.void_reason, HasSubstr("all attempts are used"));
     store->courses().grant_attempts({anna, "short", "final", 2, "for the test", {}, {}});
-    const db::ExamOrder order = begun();
+    const db::ExamOrder last = prepared(*store);
     store->courses().end_assignment(assignment);
-    const db::AttemptRecord unassigned = keep(result_of(order));
+    const db::AttemptRecord unassigned = take(result_of(last));
     EXPECT_FALSE(db::counts(unassigned));
     EXPECT_THAT(unassigned.void_reason, HasSubstr("the course is not assigned to this person"));
+}
+
+/// Nobody loses an honest exam to what an educator does while it runs.
+TEST_P(ExamBegins, WhatChangesWhileAnExamRunsDoesNotVoidIt) {
+    const db::ExamOrder first = begun();
+    store->courses().end_assignment(assignment);
+    const db::AttemptRecord unassigned = keep(result_of(first));
+    EXPECT_EQ(unassigned.void_reason, "");
+    EXPECT_TRUE(db::counts(unassigned));
+    EXPECT_TRUE(progress().mastered);
+    // The person has the next version by the time that it is saved: other cases, one attempt.
+    (void)assign_exam(*store, anna);
+    const db::ExamOrder second = begun();
+    std::string newer = exam_course(kTask, "17,18", R"("max_attempts":1,)");
+    newer.replace(newer.find(R"("version":1)"), 11, R"("version":2)");
+    store->definitions().publish({"course", "short", 2, newer, {}, "other cases", {}, {}});
+    store->courses().end_assignment(store->courses().assignments(anna).at(0).id);
+    db::AssignmentRecord next;
+    next.course_id = "short";
+    next.course_version = 2;
+    next.user_id = anna;
+    store->courses().assign(next);
+    const db::AttemptRecord replaced = keep(result_of(second));
+    EXPECT_EQ(replaced.void_reason, "");
+    EXPECT_TRUE(db::counts(replaced));
+    EXPECT_EQ(replaced.exam.course_version, 1);
+    // Another case is none of it, as ever.
+    db::AttemptResult other = result_of(begun());
+    EXPECT_EQ(other.header.seed, 17u);
+    other.header.seed = 18;
+    EXPECT_THAT(keep(other).void_reason, HasSubstr("another case is due by now"));
 }
 
 TEST_P(ExamBegins, ARecordingWhoseClockIsWrongDoesNotCount) {
