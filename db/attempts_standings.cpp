@@ -62,13 +62,15 @@ std::string standings_sql(const AttemptConditions& where) {
            of_attempt("id", back, before, "0") + " AS from_id, " + streak_sql() +
            " AS streak FROM (" + sums_sql(where) +
            ") g) SELECT f.account_id AS user_id, f.task_id AS task, x.points AS points, "
-           "x.verdict AS verdict, COALESCE(p.display_name, '') AS user_name, f.n AS attempts, "
+           "x.verdict AS verdict, COALESCE(p.display_name, '') AS user_name, COALESCE(a.active, 1) "
+           "AS active, f.n AS attempts, "
            "f.failed AS failed, f.passed AS passed, f.best AS best, f.mean AS mean, f.last AS "
            "last_utc, f.first_points AS first_points, f.streak AS streak FROM f JOIN attempts x ON "
            "x.account_id = f.account_id AND x.task_id = f.task_id AND " +
            is_finished("x") +
            " AND (x.started_utc, x.id) >= (f.from_utc, f.from_id) LEFT JOIN persons p ON "
-           "p.account_id = f.account_id ORDER BY p.login_key, f.account_id, f.task_id, " +
+           "p.account_id = f.account_id LEFT JOIN accounts a ON a.id = f.account_id ORDER BY "
+           "p.login_key, f.account_id, f.task_id, " +
            forward;
 }
 
@@ -82,6 +84,7 @@ TaskStanding read_standing(const Statement& row) {
     one.user_id = row.integer("user_id");
     one.task_id = row.text("task");
     one.user_name = row.text("user_name");
+    one.active = row.integer("active") != 0;
     one.attempts = one.trials.attempts = static_cast<int>(row.integer("attempts"));
     one.failed = static_cast<int>(row.integer("failed"));
     one.trials.passed = static_cast<int>(row.integer("passed"));

@@ -138,6 +138,7 @@ struct TaskStanding {
     double best_points = 0, mean_points = 0, first_points = 0, last_points = 0;
     std::string last_utc;
     assessment::TrialSummary trials;  ///< For judge_standing().
+    bool active = true;               ///< False: the account is closed; who has left needs no help.
 };
 
 /// How a person, or a scripted operator that a person had play, did at a task of late.

@@ -81,7 +81,7 @@ void write_list(Paper& paper, const CohortReport& report, Standing kind, const c
     paper.heading(QString::fromLatin1(title));
     std::vector<QStringList> rows;
     for (const PersonInTask& one : report.people)
-        if (one.standing_now.standing == kind) rows.push_back(row_of(one));
+        if (one.standing.active && one.standing_now.standing == kind) rows.push_back(row_of(one));
     if (rows.empty())
         paper.html(QString("<p>%1</p>").arg(QString::fromLatin1(none)));
     else

@@ -231,6 +231,21 @@ TEST_P(People, AStandingIsSummedUpByPersonAndTask) {
     EXPECT_THAT(store->attempts().tasks(), ElementsAre("diathermy_ring", "grasp_and_lift"));
 }
 
+TEST_P(People, AStandingSaysWhoseAccountIsClosed) {
+    for (int i = 1; i <= 5; ++i) attempt(anna, 10, "2026-01-0" + std::to_string(i) + "T00:00:00Z");
+    attempt(adam, 40, "2026-01-05T00:00:00Z");
+    const auto active = [&] {
+        std::map<int64_t, bool> found;
+        for (const auto& each : store->attempts().standings(0)) found[each.user_id] = each.active;
+        return found;
+    };
+    EXPECT_EQ(active(), (std::map<int64_t, bool>{{anna, true}, {adam, true}}));
+    store->accounts().set_active(anna, false);
+    EXPECT_EQ(active(), (std::map<int64_t, bool>{{anna, false}, {adam, true}}));
+    store->accounts().set_active(anna, true);
+    EXPECT_EQ(active(), (std::map<int64_t, bool>{{anna, true}, {adam, true}}));
+}
+
 TEST_P(People, AnAttemptInWhichNothingWasDoneIsNoTryThatFailed) {
     attempt(anna, 70, "2026-01-01T00:00:00Z");
     db::AttemptResult idle;

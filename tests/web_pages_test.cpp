@@ -231,6 +231,31 @@ TEST_P(WebPagesTest, SayWhoIsDueForARefresher) {
     EXPECT_TRUE(one.get("/refreshers").shows("Nobody is due."));
 }
 
+TEST_P(WebPagesTest, LeaveOutWhoHasLeft) {
+    const int64_t gone = people.of["grouped"].person;
+    const auto store = open();
+    for (int i = 0; i < 6; ++i) {
+        db::AttemptResult result = make_result();
+        result.header.device = "mouse";
+        result.header.demonstration = false;
+        result.header.started_utc = curriculum::utc_text(1'767'000'000 + 86400 * int64_t{i});
+        result.end.reason = sim::EndReason::kFinished;
+        result.score.points = 40;
+        result.score.verdict = i == 0 ? assessment::Verdict::kPassed : assessment::Verdict::kFailed;
+        (void)store->attempts().save(gone, result);
+    }
+    Browser one = signed_in("educator");
+    const std::string link = "href=\"/people/" + std::to_string(gone);
+    const auto listed = [&](const char* path) {
+        return one.get(path).body.find(link) != std::string::npos;
+    };
+    for (const char* path : {"/cohort", "/help", "/refreshers"}) EXPECT_TRUE(listed(path)) << path;
+    store->accounts().set_active(gone, false);
+    for (const char* path : {"/cohort", "/help", "/refreshers"}) EXPECT_FALSE(listed(path)) << path;
+    store->accounts().set_active(gone, true);
+    for (const char* path : {"/cohort", "/help", "/refreshers"}) EXPECT_TRUE(listed(path)) << path;
+}
+
 // An amendment has no say in what somebody enrolled before it is to do.
 TEST_P(WebPagesTest, NameTheStepsAsTheVersionOfTheParticipantDoes) {
     const auto store = open();

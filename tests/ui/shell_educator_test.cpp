@@ -9,12 +9,14 @@
 #include <QMenu>
 #include <QRadioButton>
 #include <QSpinBox>
+#include <algorithm>
 
 #include "assessment/standard_setting.h"
 #include "curriculum/questionnaire.h"
 #include "curriculum/task.h"
 #include "db/standards.h"
 #include "shell_harness.h"
+#include "ui/shell/cohort_people.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/standard_cards.h"
 
@@ -50,6 +52,7 @@ class ShellEducatorTest : public QObject {
     void aCohortOfNobodyCanBeLookedAt();
     void todayShowsTheNewestAttemptsOfTrainees();
     void cohortShowsWhoIsStuckAndWhoRegressed();
+    void whoHasLeftNeedsNoHelp();
     void cohortLeadsToTheAttemptsAndIsExported();
     void cohortAndPersonAreReportedOnPaper();
     void standardComesFromTwoGroups();
@@ -170,6 +173,21 @@ void ShellEducatorTest::cohortShowsWhoIsStuckAndWhoRegressed() {
     table = shell.find<QTableWidget>("cohort_table");
     QVERIFY(!table->isRowHidden(0) && !table->isRowHidden(1));
     QVERIFY(table->isRowHidden(2) && table->isRowHidden(3));
+}
+
+void ShellEducatorTest::whoHasLeftNeedsNoHelp() {
+    db::Store& store = shell_->owner();
+    const int64_t anna = shell_->idOf("anna");
+    const auto listed = [&] {
+        const CohortPeople read = read_cohort_people(store);
+        return std::any_of(read.people.begin(), read.people.end(),
+                           [&](const CohortPerson& each) { return each.id == anna; });
+    };
+    QVERIFY(listed());
+    store.accounts().set_active(anna, false);
+    QVERIFY(!listed());
+    store.accounts().set_active(anna, true);
+    QVERIFY(listed());
 }
 
 void ShellEducatorTest::cohortLeadsToTheAttemptsAndIsExported() {

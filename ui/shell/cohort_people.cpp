@@ -27,6 +27,7 @@ CohortPeople read_cohort_people(db::Store& store) {
     CohortPeople cohort;
     std::map<int64_t, CohortPerson> people;
     for (const db::TaskStanding& each : store.attempts().standings(0)) {
+        if (!each.active) continue;
         CohortPerson& person = people[each.user_id];
         person.id = each.user_id;
         if (person.name.isEmpty())

@@ -24,7 +24,8 @@ struct CohortPerson {
     std::string last_utc;
 };
 
-/// Who has attempts that count, by name, and the ids of their tasks, sorted.
+/// Who has attempts that count and an account that is open, by name, and the ids of their tasks,
+/// sorted.
 struct CohortPeople {
     std::vector<CohortPerson> people;
     std::vector<std::string> tasks;

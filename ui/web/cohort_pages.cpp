@@ -31,9 +31,17 @@ struct Cohort {
     std::set<std::string> tasks;
 };
 
+/// Of whom is asked for. Who has left, whose account is closed, needs neither help nor a refresher.
+std::vector<db::TaskStanding> standings_of(const Visit& visit, const std::string& task = {}) {
+    std::vector<db::TaskStanding> found =
+        visit.store.attempts().standings(visit.number("group"), task);
+    std::erase_if(found, [](const db::TaskStanding& each) { return !each.active; });
+    return found;
+}
+
 Cohort read_cohort(const Visit& visit) {
     Cohort cohort;
-    for (const db::TaskStanding& each : visit.store.attempts().standings(visit.number("group"))) {
+    for (const db::TaskStanding& each : standings_of(visit)) {
         if (cohort.people.empty() || cohort.people.back().id != each.user_id)
             cohort.people.push_back(
                 {each.user_id, name_or_number(each.user_name, each.user_id), {}, {}});
@@ -85,7 +93,7 @@ struct Due {
 std::vector<Due> due_people(const Visit& visit, int64_t least_days) {
     const int64_t now = curriculum::utc_seconds(visit.now_utc).value_or(0);
     std::vector<Due> due;
-    for (db::TaskStanding& each : visit.store.attempts().standings(visit.number("group"))) {
+    for (db::TaskStanding& each : standings_of(visit)) {
         const auto last = curriculum::utc_seconds(each.last_utc);
         if (each.trials.passed == 0 || !last) continue;
         const int64_t days = (now - *last) / kDayS;
@@ -137,7 +145,7 @@ PageText cohort_page(const Visit& visit) {
 PageText help_page(const Visit& visit) {
     std::vector<db::TaskStanding> list;
     std::vector<db::TaskStanding> regressed;
-    for (db::TaskStanding& each : visit.store.attempts().standings(visit.number("group"))) {
+    for (db::TaskStanding& each : standings_of(visit)) {
         const Standing standing = assessment::judge_standing(each.trials).standing;
         if (standing == Standing::kStuck)
             list.push_back(std::move(each));
@@ -233,8 +241,7 @@ PageText scores_page(const Visit& visit) {
     std::vector<reports::StripGroup> groups{{Web::plain_phrase("first attempt"), {}},
                                             {Web::plain_phrase("last attempt"), {}},
                                             {Web::plain_phrase("best attempt"), {}}};
-    for (const db::TaskStanding& each :
-         visit.store.attempts().standings(visit.number("group"), choice.chosen)) {
+    for (const db::TaskStanding& each : standings_of(visit, choice.chosen)) {
         groups[0].values.push_back(each.first_points);
         groups[1].values.push_back(each.last_points);
         groups[2].values.push_back(each.best_points);
