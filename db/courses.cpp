@@ -27,7 +27,9 @@ void check_dates(const Connection& connection, const AssignmentRecord& a) {
                             Said::that("found the date \"%1\"; expected a day such as %2")
                                 .with(text)
                                 .with("2026-11-21"));
-    if (starts && due && *due <= *starts)
+    // A day is due to its end.
+    const int64_t day_s = a.due_utc.size() == 10 ? 86400 : 0;
+    if (starts && due && *due + day_s <= *starts)
         connection.fail(Kind::kRefused, Said::that("the course is due before it begins"));
 }
 

@@ -217,10 +217,23 @@ TEST_P(CourseStore, WhatCannotBeAssignedIsRefusedAndChangesNothing) {
     EXPECT_EQ(kind_of([](auto& a) { a.user_id = 0; }), StoreError::Kind::kRefused);
     EXPECT_EQ(kind_of([](auto& a) { a.group_id = 1; }), StoreError::Kind::kRefused);
     EXPECT_EQ(kind_of([](auto& a) { a.due_utc = "soon"; }), StoreError::Kind::kRefused);
-    EXPECT_EQ(kind_of([](auto& a) { a.starts_utc = "2026-02-02", a.due_utc = "2026-02-02"; }),
+    EXPECT_EQ(kind_of([](auto& a) { a.starts_utc = "2026-02-02", a.due_utc = "2026-02-01"; }),
               StoreError::Kind::kRefused);
+    EXPECT_EQ(kind_of([](auto& a) {
+                  a.starts_utc = "2026-02-02T08:00:00Z", a.due_utc = "2026-02-02T08:00:00Z";
+              }),
+              StoreError::Kind::kRefused)
+        << "an hour has no end of its day";
     EXPECT_EQ(kind_of([](auto& a) { a.user_id = 99; }), StoreError::Kind::kNotFound);
     EXPECT_THAT(store->courses().assignments(0), IsEmpty());
+}
+
+TEST_P(CourseStore, ACourseMayLastOneDay) {
+    const int64_t one_day = assign(anna, 0, "2026-03-01", "2026-03-01");
+    const auto standing = db::course_standing(*store, anna, "short", "2026-03-01T23:00:00Z");
+    EXPECT_EQ(standing.assignment.id, one_day);
+    EXPECT_EQ(standing.next.kind, curriculum::NextKind::kStart);
+    EXPECT_FALSE(standing.next.overdue) << "the day is due to its end";
 }
 
 TEST_P(CourseStore, AnAssignmentKeepsItsVersionWhenANewOneIsPublished) {
