@@ -46,6 +46,7 @@ int64_t Courses::assign(const AssignmentRecord& assignment) {
         connection_.fail(Kind::kRefused,
                          Said::that("a course is assigned to a person or to a group"));
     UnitOfWork work(connection_);
+    connection_.lock_table("course_assignments");
     if (assignment.user_id != 0)
         (void)context_.need_user(assignment.user_id);
     else

@@ -7,7 +7,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <atomic>
+#include <barrier>
 #include <random>
+#include <thread>
 #include <tuple>
 
 #include "curriculum/utc_time.h"
@@ -226,6 +229,37 @@ TEST_P(CourseStore, WhatCannotBeAssignedIsRefusedAndChangesNothing) {
         << "an hour has no end of its day";
     EXPECT_EQ(kind_of([](auto& a) { a.user_id = 99; }), StoreError::Kind::kNotFound);
     EXPECT_THAT(store->courses().assignments(0), IsEmpty());
+}
+
+TEST_P(CourseStore, OfManyEducatorsAtOnceOneAssigns) {
+    constexpr int kPeople = 12, kEducators = 3;
+    std::vector<int64_t> people;
+    for (int i = 0; i < kPeople; ++i)
+        people.push_back(add("p" + std::to_string(i), db::Role::kTrainee));
+    std::barrier together(kEducators);
+    std::atomic<int> assigned{0}, refused{0};
+    std::vector<std::thread> educators;
+    for (int i = 0; i < kEducators; ++i)
+        educators.emplace_back([&] {
+            const auto own = open();
+            for (const int64_t person : people) {
+                db::AssignmentRecord assignment;
+                assignment.course_id = "short";
+                assignment.course_version = 1;
+                assignment.user_id = person;
+                together.arrive_and_wait();
+                try {
+                    own->courses().assign(assignment);
+                    ++assigned;
+                } catch (const StoreError& error) {
+                    if (error.kind() == StoreError::Kind::kConflict) ++refused;
+                }
+            }
+        });
+    for (std::thread& each : educators) each.join();
+    EXPECT_EQ(assigned, kPeople);
+    EXPECT_EQ(refused, kPeople * (kEducators - 1));
+    for (const int64_t person : people) EXPECT_EQ(store->courses().assignments(person).size(), 1u);
 }
 
 TEST_P(CourseStore, ACourseMayLastOneDay) {
