@@ -33,7 +33,7 @@ struct CourseStage {
     std::vector<std::string> requires_stages;  ///< Ids of stages that must be mastered first.
     double benchmark_points = 70;              ///< Score that counts.
     int consecutive = 2;        ///< This many times in a row, without a critical error.
-    int max_attempts = 0;       ///< 0 = no limit.
+    int max_attempts = 0;       ///< kExam only; 0 = no limit.
     int remind_after_days = 0;  ///< Skill decay: asks for one more after so many days; 0 = never.
     ExamRule exam;              ///< kExam only.
 };
@@ -115,8 +115,11 @@ using ExtraAttempts = std::map<std::string, int>;
 
 /// By id of a shipped course, or by path. Throws DefinitionError; also when a task is not there.
 [[nodiscard]] Course load_course(const std::string& id_or_file);
-/// From the text that a store keeps. `origin` is used in messages.
+/// From a text that is to become a version. `origin` is used in messages.
 [[nodiscard]] Course load_course_text(const std::string& json, const std::string& origin);
+/// From the text of a version that a store keeps. A limit of practice, which was allowed once, is
+/// left out.
+[[nodiscard]] Course load_published_course(const std::string& json, const std::string& origin);
 /// What an editor saves: load_course_text() of it gives the same course (but for `json`).
 [[nodiscard]] std::string course_json(const Course& course);
 

@@ -48,8 +48,10 @@ void check_stage(const CourseStage& stage, int index, const std::vector<std::str
         add(CourseFault::kBenchmark, "/benchmark_points", std::to_string(stage.benchmark_points));
     if (stage.consecutive < 1 || stage.consecutive > 20)
         add(CourseFault::kConsecutive, "/consecutive", std::to_string(stage.consecutive));
-    if (stage.max_attempts < 0 || stage.max_attempts > 1000 ||
-        (stage.max_attempts > 0 && stage.max_attempts < stage.consecutive))
+    if (stage.max_attempts != 0 && stage.mode != StageMode::kExam)
+        add(CourseFault::kPracticeLimit, "/max_attempts", std::to_string(stage.max_attempts));
+    else if (stage.max_attempts < 0 || stage.max_attempts > 1000 ||
+             (stage.max_attempts > 0 && stage.max_attempts < stage.consecutive))
         add(CourseFault::kTooFewAttempts, "/max_attempts", std::to_string(stage.max_attempts));
     if (stage.remind_after_days < 0 || stage.remind_after_days > 3650)
         add(CourseFault::kRemind, "/remind_after_days", std::to_string(stage.remind_after_days));

@@ -22,6 +22,7 @@ enum class CourseFault : uint8_t {
     kRequires,        ///< Waits for a stage that is not an earlier one.
     kBenchmark,       ///< Not from 0 to 100 points.
     kConsecutive,     ///< Not from 1 to 20.
+    kPracticeLimit,   ///< A limit on a stage that is no exam.
     kTooFewAttempts,  ///< The limit is below the number that is wanted in a row, or above 1000.
     kRemind,          ///< Not from 0 to 3650 days.
     kNoSeeds,         ///< An exam without seeds, or with more than 100.

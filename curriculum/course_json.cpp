@@ -47,8 +47,21 @@ ExamRule read_exam(const Json& entry, StageMode mode, const std::string& origin,
     return exam;
 }
 
+/// Of exams alone: practice counts from before the course, too, and nothing stops anybody from
+/// doing more of it.
+int read_limit(const Json& entry, StageMode mode, bool published, const std::string& origin,
+               const std::string& pointer) {
+    const int limit = entry.value("max_attempts", 0);
+    if (limit == 0 || mode == StageMode::kExam) return limit;
+    if (published) return 0;
+    throw DefinitionError(origin, pointer + "/max_attempts",
+                          "a limit of " + std::to_string(limit) +
+                              " attempts at a stage of mode \"" + stage_mode_name(mode) +
+                              "\"; only an exam has one: leave \"max_attempts\" out");
+}
+
 CourseStage read_stage(const Json& entry, const std::string& origin, const std::string& pointer,
-                       std::set<std::string>& earlier) {
+                       bool published, std::set<std::string>& earlier) {
     CourseStage stage;
     stage.task_id = entry["task_id"];
     stage.id = entry.value("id", stage.task_id);
@@ -57,7 +70,7 @@ CourseStage read_stage(const Json& entry, const std::string& origin, const std::
         stage.benchmark_points = 0, stage.consecutive = 1;
     stage.benchmark_points = entry.value("benchmark_points", stage.benchmark_points);
     stage.consecutive = entry.value("consecutive", stage.consecutive);
-    stage.max_attempts = entry.value("max_attempts", stage.max_attempts);
+    stage.max_attempts = read_limit(entry, stage.mode, published, origin, pointer);
     stage.remind_after_days = entry.value("remind_after_days", stage.remind_after_days);
     stage.exam = read_exam(entry, stage.mode, origin, pointer);
     if (stage.max_attempts > 0 && stage.max_attempts < stage.consecutive)
@@ -103,9 +116,7 @@ Json stage_json(const CourseStage& stage) {
     return json;
 }
 
-}  // namespace
-
-Course load_course_text(const std::string& text, const std::string& origin) {
+Course read_course(const std::string& text, const std::string& origin, bool published) {
     const Json json = parse_json(text, origin);
     check_schema(json, "course", origin);
     Course course;
@@ -116,9 +127,19 @@ Course load_course_text(const std::string& text, const std::string& origin) {
     if (json.contains("description")) course.description = local_text(json["description"]);
     std::set<std::string> earlier;
     for (size_t i = 0; i < json["stages"].size(); ++i)
-        course.stages.push_back(
-            read_stage(json["stages"][i], origin, "/stages/" + std::to_string(i), earlier));
+        course.stages.push_back(read_stage(json["stages"][i], origin,
+                                           "/stages/" + std::to_string(i), published, earlier));
     return course;
+}
+
+}  // namespace
+
+Course load_course_text(const std::string& json, const std::string& origin) {
+    return read_course(json, origin, false);
+}
+
+Course load_published_course(const std::string& json, const std::string& origin) {
+    return read_course(json, origin, true);
 }
 
 Course load_course(const std::string& id_or_file) {

@@ -37,8 +37,9 @@ std::optional<CertificateRecord> certificate_in(Store& store, int64_t user_id,
             return standing.progress.mastered && may_stand(each, standing.progress.mastered_utc);
         const auto text = store.definitions().find("course", each.course_id, each.course_version);
         if (each.course_version == 0 || !text) return false;
-        const curriculum::CourseProgress then = progress_in(
-            curriculum::load_course_text(text->json, "course " + each.course_id), rows, now_utc);
+        const curriculum::CourseProgress then =
+            progress_in(curriculum::load_published_course(text->json, "course " + each.course_id),
+                        rows, now_utc);
         return then.mastered && may_stand(each, then.mastered_utc);
     };
     std::optional<CertificateRecord> found;
@@ -67,7 +68,7 @@ CourseStanding standing_in(Store& store, int64_t user_id, const AssignmentRecord
 
 Course find_course(Store& store, const std::string& course_id, int version) {
     if (const auto published = store.definitions().find("course", course_id, version))
-        return curriculum::load_course_text(published->json, "course " + course_id);
+        return curriculum::load_published_course(published->json, "course " + course_id);
     const auto text = curriculum::shipped_text("courses", course_id);
     if (!text) {
         const std::vector<std::string> known = course_ids(store);

@@ -72,7 +72,7 @@ AssignmentRecord assignment_of(Connection& connection, int64_t user_id,
 
 Course course_of(StoreContext& context, const std::string& id, int version) {
     if (const auto published = context.find_definition("course", id, version))
-        return curriculum::load_course_text(published->json, "course " + id);
+        return curriculum::load_published_course(published->json, "course " + id);
     const auto shipped = curriculum::shipped_text("courses", id);
     return shipped ? curriculum::load_course_text(*shipped, "course " + id) : Course{};
 }

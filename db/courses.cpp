@@ -189,7 +189,7 @@ std::string mastered_at(StoreContext& context, int64_t user_id, const std::strin
             Kind::kRefused,
             Said::that("version %1 is not published; publish it first").with(version));
     const curriculum::CourseProgress progress =
-        progress_in(curriculum::load_course_text(published->json, "course " + course_id),
+        progress_in(curriculum::load_published_course(published->json, "course " + course_id),
                     course_rows(context, context.need_owner(user_id)), now_utc);
     if (!progress.mastered)
         context.connection.fail(Kind::kRefused, Said::that("the course is not mastered"));

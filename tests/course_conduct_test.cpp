@@ -16,6 +16,7 @@
 #include "curriculum/utc_time.h"
 #include "db/access.h"
 #include "db/attempt_counting.h"
+#include "db/packing.h"
 #include "db/password.h"
 #include "db/void_reason.h"
 #include "haptics/certificate.h"
@@ -39,11 +40,10 @@ constexpr const char* kNow = "2026-03-01T00:00:00Z";
 /// Practise once at 70, then an exam of two seeds.
 std::string course_text(int version, const char* limit = "3") {
     return R"({"id":"short","version":)" + std::to_string(version) +
-           R"(,"title":{"en":"Short"},"stages":[{"task_id":"diathermy_ring","consecutive":1,)"
+           R"(,"title":{"en":"Short"},"stages":[{"task_id":"diathermy_ring","consecutive":1},)"
+           R"({"id":"final","task_id":"diathermy_ring","mode":"exam","consecutive":1,)"
            R"("max_attempts":)" +
-           limit +
-           R"(},{"id":"final","task_id":"diathermy_ring","mode":"exam","consecutive":1,)"
-           R"("requires_stages":["diathermy_ring"],"exam":{"seeds":[7,8]}}]})";
+           limit + R"(,"requires_stages":["diathermy_ring"],"exam":{"seeds":[7,8]}}]})";
 }
 
 class CourseStore : public EngineTest {
@@ -273,29 +273,56 @@ TEST_P(CourseStore, ACourseMayLastOneDay) {
 TEST_P(CourseStore, AnAssignmentKeepsItsVersionWhenANewOneIsPublished) {
     assign(anna);
     publish(2, "1");
-    attempt(anna, 10);
     const auto standing = db::course_standing(*store, anna, "short", kNow);
     EXPECT_EQ(standing.course.version, 1);
-    EXPECT_EQ(standing.progress.stages[0].attempts_left, 2);
+    EXPECT_EQ(standing.progress.stages[1].attempts_left, 3);
     EXPECT_EQ(db::course_standing(*store, jan, "short", kNow).course.version, 2) << "not assigned";
 }
 
 TEST_P(CourseStore, AGrantOpensAStageWhoseAttemptsAreUsed) {
     assign(anna);
-    for (int i = 0; i < 3; ++i) attempt(anna, 10);
+    attempt(anna, 80);
+    for (const char* day : {"2026-02-03", "2026-02-04", "2026-02-05"}) {
+        const db::ExamOrder order =
+            db::prepare_exam(*store, anna, "short", "final", "ewa", "", kNow);
+        attempt(anna, 10, order.context, order.seed, day);
+    }
     EXPECT_EQ(db::course_standing(*store, anna, "short", kNow).next.kind,
               curriculum::NextKind::kExhausted);
     EXPECT_EQ(failure_of([&] {
-                  store->courses().grant_attempts({anna, "short", "diathermy_ring", 1, "", {}, {}});
+                  store->courses().grant_attempts({anna, "short", "final", 1, "", {}, {}});
               }).kind(),
               StoreError::Kind::kRefused)
         << "without a reason";
-    store->courses().grant_attempts(
-        {anna, "short", "diathermy_ring", 2, "device was faulty", {}, {}});
+    store->courses().grant_attempts({anna, "short", "final", 2, "device was faulty", {}, {}});
     const auto standing = db::course_standing(*store, anna, "short", kNow);
-    EXPECT_EQ(standing.next.kind, curriculum::NextKind::kContinue);
+    EXPECT_EQ(standing.next.kind, curriculum::NextKind::kExam);
     EXPECT_EQ(standing.next.attempts_left, 2);
-    EXPECT_EQ(db::course_standing(*store, jan, "short", kNow).progress.stages[0].attempts_left, 3);
+    EXPECT_EQ(db::course_standing(*store, jan, "short", kNow).progress.stages[1].attempts_left, 3);
+}
+
+/// Practice from before the course counts, too: nobody could keep to a limit.
+TEST_P(CourseStore, APracticeWithALimitIsNotPublishedAnyMoreAndReadWithoutItWhereItWas) {
+    const std::string old =
+        R"({"id":"old","version":1,"title":{"en":"Old"},"stages":[{"task_id":"diathermy_ring",)"
+        R"("consecutive":1,"max_attempts":1}]})";
+    EXPECT_THROW(store->definitions().publish({"course", "old", 1, old, {}, "test", {}, {}}),
+                 curriculum::DefinitionError);
+    RawConnection pen = raw();
+    ASSERT_TRUE(
+        pen.run("INSERT INTO definitions (kind, id, version, content, checksum, reason, "
+                "published_by, published_utc) VALUES ('course', 'old', 1, '" +
+                old + "', '" + db::checksum_hex(old) +
+                "', 'of an older Placode', 'user 1', '2025-01-01T00:00:00Z')"))
+        << pen.problem();
+    for (int i = 0; i < 3; ++i) attempt(anna, 10);
+    const auto own = [&] {
+        return db::course_standing(*store, anna, "old", kNow).progress.stages[0];
+    };
+    EXPECT_EQ(own().status, curriculum::StageStatus::kOpen);
+    EXPECT_EQ(own().attempts_left, -1);
+    attempt(anna, 90);
+    EXPECT_EQ(db::issue_certificate(*store, anna, "old", kNow).course_version, 1);
 }
 
 TEST_P(CourseStore, AnExamIsPreparedOnlyWhenAllIsThereAndLeadsToACertificate) {

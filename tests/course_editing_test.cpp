@@ -83,6 +83,18 @@ TEST(CourseEditing, AgreesWithTheLoader) {
         [](Course& c) { c.stages[0].max_attempts = 1; },
         [](Course& c) { c.stages[0].max_attempts = 2; },
         [](Course& c) { c.stages[0].max_attempts = 1001; },
+        [](Course& c) {
+            c.stages[0].mode = StageMode::kExam, c.stages[0].exam.seeds = {7};
+            c.stages[0].max_attempts = 2;
+        },
+        [](Course& c) {
+            c.stages[0].mode = StageMode::kExam, c.stages[0].exam.seeds = {7};
+            c.stages[0].max_attempts = 1;
+        },
+        [](Course& c) {
+            c.stages[0].mode = StageMode::kExam, c.stages[0].exam.seeds = {7};
+            c.stages[0].max_attempts = 1001;
+        },
         [](Course& c) { c.stages[0].remind_after_days = 3651; },
         [](Course& c) { c.stages[0].mode = StageMode::kExam; },
         [](Course& c) {

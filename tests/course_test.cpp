@@ -155,8 +155,12 @@ TEST(Course, WrongCoursesAreRefusedWithTheirPlace) {
          "earlier stage"},
         {R"({"task_id":"a"},{"task_id":"a"})", "/stages/1/task_id", "give the stage an"},
         {R"({"task_id":"a","id":"x"},{"task_id":"b","id":"x"})", "/stages/1/id", "already"},
-        {R"({"task_id":"a","max_attempts":1,"consecutive":2})", "/stages/0/max_attempts",
-         "cannot reach"},
+        {R"({"task_id":"a","mode":"exam","exam":{"seeds":[1]},"max_attempts":1,"consecutive":2})",
+         "/stages/0/max_attempts", "cannot reach"},
+        {R"({"task_id":"a","max_attempts":3})", "/stages/0/max_attempts",
+         "3 attempts at a stage of mode \"practice\"; only an exam has one: leave"},
+        {R"({"task_id":"a","mode":"familiarisation","max_attempts":1})", "/stages/0/max_attempts",
+         "only an exam"},
         {R"({"task_id":"a","mode":"exam"})", "/stages/0", "fixed seeds"},
         {R"({"task_id":"a","exam":{"seeds":[1]}})", "/stages/0/exam", "mode"},
         {R"({"task_id":"a","mode":"exam","exam":{"seeds":[1,2,1]}})", "/stages/0/exam/seeds/2",
@@ -178,6 +182,18 @@ TEST(Course, WrongCoursesAreRefusedWithTheirPlace) {
             EXPECT_NE(std::string(error.what()).find(each.says), std::string::npos) << error.what();
         }
     }
+}
+
+TEST(Course, ALimitOfPracticeThatWasPublishedOnceIsIgnored) {
+    const std::string text =
+        R"({"id":"c","version":1,"title":{"en":"t"},"stages":[{"task_id":"a","max_attempts":1},)"
+        R"({"task_id":"b","mode":"exam","exam":{"seeds":[1]},"max_attempts":2}]})";
+    EXPECT_THROW((void)load_course_text(text, "c.json"), DefinitionError);
+    const Course course = load_published_course(text, "c.json");
+    EXPECT_EQ(course.stages[0].max_attempts, 0);
+    EXPECT_EQ(course.stages[0].consecutive, 2);
+    EXPECT_EQ(course.stages[1].max_attempts, 2);
+    EXPECT_EQ(course.json, text) << "it is never changed";
 }
 
 TEST(Course, ACourseFileMayNameOnlyTasksThatAreThere) {
@@ -236,7 +252,17 @@ TEST(Course, FamiliarisationCountsWhateverTheScore) {
 TEST(Course, TheLimitOfAttemptsClosesAStageAndAGrantOpensItAgain) {
     Course course = two_stages();
     course.stages[0].max_attempts = 2;
-    const std::vector<AttemptOutcome> two{{"warm_up", 50}, {"warm_up", 90}};
+    course.stages[0].mode = StageMode::kExam;
+    course.stages[0].exam.seeds = {7};
+    course.stages[0].exam.proctor = false;
+    const auto sat = [](double points) {
+        AttemptOutcome outcome{"warm_up", points};
+        outcome.exam_course = "c";
+        outcome.exam_stage = "warm_up";
+        outcome.seed = 7;
+        return outcome;
+    };
+    const std::vector<AttemptOutcome> two{sat(50), sat(90)};
     const CourseProgress used = course_progress(course, two);
     EXPECT_EQ(used.stages[0].status, StageStatus::kExhausted);
     EXPECT_EQ(used.stages[0].attempts_left, 0);
@@ -247,8 +273,7 @@ TEST(Course, TheLimitOfAttemptsClosesAStageAndAGrantOpensItAgain) {
     EXPECT_EQ(granted.stages[0].attempts_left, 1);
     EXPECT_EQ(granted.next_stage, 0);
     EXPECT_EQ(course_progress(course, two, {}, {{"real", 5}}).next_stage, -1) << "another stage's";
-    EXPECT_EQ(course_progress(course, {{"warm_up", 90}, {"warm_up", 90}}).stages[0].status,
-              StageStatus::kMastered)
+    EXPECT_EQ(course_progress(course, {sat(90), sat(90)}).stages[0].status, StageStatus::kMastered)
         << "mastered with the last attempt";
 }
 

@@ -110,8 +110,13 @@ TEST_F(TrainingPrograms, AKeyIsTakenFromNothingButAFile) {
 
 TEST_F(TrainingPrograms, ACourseIsBuiltCheckedPublishedAssignedAndFollowed) {
     write_text(file("c.json"), R"({"id":"mine","version":1,"title":{"en":"Mine"},"stages":[
-        {"task_id":"diathermy_ring_small","consecutive":1,"max_attempts":2}]})");
+        {"task_id":"diathermy_ring_small","consecutive":1}]})");
     EXPECT_THAT(ctl("course check c.json").out, HasSubstr("sound"));
+    write_text(file("limit.json"), R"({"id":"mine","version":1,"title":{"en":"Mine"},"stages":[
+        {"task_id":"diathermy_ring_small","consecutive":1,"max_attempts":2}]})");
+    const Outcome limited = ctl("course check limit.json");
+    EXPECT_EQ(limited.status, 2);
+    EXPECT_THAT(limited.err, HasSubstr("/stages/0/max_attempts: a limit of 2 attempts"));
     write_text(file("bad.json"), R"({"id":"mine","version":2,"title":{"en":"Mine"},"stages":[
         {"task_id":"none"}]})");
     const Outcome bad = as("ewa", "course publish bad.json");

@@ -81,6 +81,11 @@ QString problem_words(const curriculum::CourseProblem& problem) {
             return CourseWords::tr("A benchmark is 0 to 100 points.");
         case CourseFault::kConsecutive:
             return CourseWords::tr("In a row: 1 to 20 times.");
+        case CourseFault::kPracticeLimit:
+            return CourseWords::tr(
+                       "Only an exam has a limit of attempts, not %1 at practice. Choose 0: no "
+                       "limit.")
+                .arg(value);
         case CourseFault::kTooFewAttempts:
             return CourseWords::tr(
                 "%n attempt(s) are fewer than what is wanted in a row: it could never be "

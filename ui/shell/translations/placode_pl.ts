@@ -9157,6 +9157,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
             <numerusform>do odświeżenia po %n dniach</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Only an exam has a limit of attempts, not %1 at practice. Choose 0: no limit.</source>
+        <translation>Tylko egzamin ma limit prób, a nie %1 w ćwiczeniu. Wybierz 0: bez limitu.</translation>
+    </message>
     <message numerus="yes">
         <source>%n attempt(s) are fewer than what is wanted in a row: it could never be mastered.</source>
         <translation>
