@@ -5,6 +5,7 @@
 #include <QApplication>
 
 #include "shell_harness.h"
+#include "ui/shell/result_standing.h"
 #include "ui/shell/training.h"
 
 namespace placode::ui {
@@ -103,6 +104,10 @@ void ShellTodayTest::aFinishedCourseGivesWayToOneThatIsToBeDone() {
     QCOMPARE(today(), std::string("due_first"));
     practise(ola, "trace_contour");
     QCOMPARE(today(), std::string("due_later"));
+    // The result is still about the course that it finished.
+    const auto attempts = shell_->owner().attempts().list(ola);
+    QVERIFY(
+        course_words(shell_->context(), attempts.back()).startsWith("Mastered in the course: "));
     QCOMPARE(load_training(shell_->context()).next.kind, curriculum::NextKind::kStart);
     practise(ola, "grasp_and_lift");
     QCOMPARE(today(), std::string("due_first"));

@@ -83,23 +83,39 @@ QString why_not_counted(const db::AttemptRecord& record, const ExamStanding& sta
     return said.join(' ');
 }
 
+namespace {
+
+/// Empty where the course lacks the task, or has it as an exam only.
+QString words_in(AppContext& context, const Training& training, const db::AttemptRecord& record) {
+    for (const TrainingStage& stage : training.stages) {
+        if (stage.task_id != record.task_id || stage.rule.mode == curriculum::StageMode::kExam)
+            continue;
+        QString words;
+        if (stage.progress.status == curriculum::StageStatus::kMastered)
+            words = StandingText::tr("Mastered in the course: %1.")
+                        .arg(training.taskTitle(context, stage.task_id)) +
+                    " ";
+        return words + with_day_words(context.in(training.next.reason));
+    }
+    return {};
+}
+
+}  // namespace
+
 QString course_words(AppContext& context, const db::AttemptRecord& record) {
     QString words;
     // A course that cannot be read leaves the result as it is.
     (void)context.problemOf([&] {
-        const Training training = load_training(context);
-        for (const db::AttemptRecord& each : training.attempts)
-            if (each.id > record.id && db::counts(each)) return;
-        for (const TrainingStage& stage : training.stages) {
-            if (stage.task_id != record.task_id || stage.rule.mode == curriculum::StageMode::kExam)
-                continue;
-            const bool mastered = stage.progress.status == curriculum::StageStatus::kMastered;
-            if (mastered)
-                words = StandingText::tr("Mastered in the course: %1.")
-                            .arg(training.taskTitle(context, stage.task_id)) +
-                        " ";
-            words += with_day_words(context.in(training.next.reason));
-            return;
+        // The page Today is about another one as soon as this attempt has finished the course.
+        std::vector<std::string> ids{course_ids(context).front()};
+        for (const auto& each : context.store().courses().assignments(context.user().id))
+            if (each.course_id != ids.front()) ids.push_back(each.course_id);
+        for (const std::string& id : ids) {
+            const Training training = load_training(context, id);
+            for (const db::AttemptRecord& each : training.attempts)
+                if (each.id > record.id && db::counts(each)) return;
+            words = words_in(context, training, record);
+            if (!words.isEmpty()) return;
         }
     });
     return words;

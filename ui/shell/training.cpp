@@ -70,10 +70,11 @@ void choose_course(AppContext& context, const QString& id) {
     context.setStoreSetting(course_key(context), id);
 }
 
-Training load_training(AppContext& context) {
+Training load_training(AppContext& context, const std::string& course) {
     Training training;
-    db::CourseStanding standing = db::course_standing(context.store(), context.user().id,
-                                                      course_ids(context).front(), utc_now());
+    db::CourseStanding standing =
+        db::course_standing(context.store(), context.user().id,
+                            course.empty() ? course_ids(context).front() : course, utc_now());
     training.attempts = context.store().attempts().list(context.user().id);
     training.course = std::move(standing.course);
     training.next = std::move(standing.next);

@@ -43,8 +43,9 @@ struct Training {
 /// Makes it the first of course_ids(), for this person on this computer.
 void choose_course(AppContext& context, const QString& id);
 
-/// Throws DefinitionError (course) and StoreError.
-[[nodiscard]] Training load_training(AppContext& context);
+/// @param course its id; empty = the first of course_ids(). Throws DefinitionError (course) and
+/// StoreError.
+[[nodiscard]] Training load_training(AppContext& context, const std::string& course = {});
 
 /// Throws StoreError(kRefused) for who may not see the attempt: everybody sees the own ones, an
 /// educator those of others, a coordinator those of studies.
