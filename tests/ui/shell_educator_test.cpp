@@ -186,8 +186,18 @@ void ShellEducatorTest::whoHasLeftNeedsNoHelp() {
     QVERIFY(listed());
     store.accounts().set_active(anna, false);
     QVERIFY(!listed());
-    store.accounts().set_active(anna, true);
+    // The page does not say that nobody's attempts count.
+    for (const char* login : {"bert", "cleo", "dan"})
+        store.accounts().set_active(shell_->idOf(login), false);
+    shell_->window().open({PageId::kCohort, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kCohort));
+    QVERIFY2(shell_->text("cohort_empty").contains("the accounts are deactivated"),
+             qPrintable(shell_->text("cohort_empty")));
+    for (const char* login : {"anna", "bert", "cleo", "dan"})
+        store.accounts().set_active(shell_->idOf(login), true);
     QVERIFY(listed());
+    shell_->window().open({PageId::kCohort, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kCohort));
 }
 
 void ShellEducatorTest::cohortLeadsToTheAttemptsAndIsExported() {

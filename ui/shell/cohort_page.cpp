@@ -11,6 +11,7 @@
 #include <map>
 
 #include "assessment/cohort.h"
+#include "db/attempt_counting.h"
 #include "reports/export.h"
 #include "ui/shell/attempts_table.h"
 #include "ui/shell/cohort_people.h"
@@ -83,6 +84,9 @@ class CohortPage : public Page {
         const auto made = context_.store().attempts().page({}).rows;
         if (made.empty())
             return tr("Nobody has made an attempt yet. Once a trainee has, it shows up here.");
+        if (std::any_of(made.begin(), made.end(),
+                        [](const db::AttemptRecord& each) { return db::counts(each); }))
+            return tr("Whoever made attempts has left: the accounts are deactivated.");
         return why_nobody_counts(made);
     }
 

@@ -1271,6 +1271,10 @@
 <context>
     <name>CohortPage</name>
     <message>
+        <source>Whoever made attempts has left: the accounts are deactivated.</source>
+        <translation>Wszyscy, którzy mają próby, odeszli: ich konta są wyłączone.</translation>
+    </message>
+    <message>
         <source>Cohort</source>
         <translation>Grupa</translation>
     </message>
