@@ -159,45 +159,6 @@ std::vector<AttemptRecord> Attempts::list(int64_t user_id, const std::string& ta
     return found;
 }
 
-AttemptDetail Attempts::detail(int64_t id) {
-    connection_.begin_operation("read an attempt from");
-    context_.need_sight_of_attempt(id);
-    AttemptDetail detail;
-    Statement head(connection_, attempt_columns() + "WHERE t.id = ?");
-    head.run(id);
-    if (!head.next())
-        connection_.fail(Kind::kNotFound, "there is no attempt " + std::to_string(id));
-    detail.record = read_attempt(head);
-    (void)head.next();  // its end, before the next question
-    show_proctors(context_, {&detail.record, 1});
-    detail.metrics.version = detail.record.metric_set_version;
-    Statement metric(connection_,
-                     "SELECT metric_id, value FROM attempt_metrics WHERE attempt_id = ? ORDER BY "
-                     "position");
-    metric.run(id);
-    while (metric.next()) detail.metrics.values.push_back({metric.text(0), metric.real(1)});
-    detail.score.points = detail.record.points;
-    detail.score.verdict = detail.record.verdict;
-    detail.score.rubric_id = detail.record.rubric_id;
-    detail.score.rubric_version = detail.record.rubric_version;
-    detail.score.metric_set_version = detail.record.metric_set_version;
-    Statement reason(
-        connection_,
-        "SELECT item, reason, points, time_s, critical, meaning FROM attempt_reasons WHERE "
-        "attempt_id = ? ORDER BY position");
-    reason.run(id);
-    while (reason.next()) detail.score.reasons.push_back(read_reason(reason));
-    Statement haptics(connection_, "SELECT haptic_certificate FROM attempts WHERE id = ?");
-    haptics.run(id);
-    if (haptics.next()) detail.haptic_certificate = haptics.text(0);
-    Statement event(connection_,
-                    "SELECT time_s, kind, tool, tissue, value, value2, rest_x_m, rest_y_m, "
-                    "rest_z_m, element FROM attempt_events WHERE attempt_id = ? ORDER BY position");
-    event.run(id);
-    while (event.next()) detail.events.push_back(read_event(event));
-    return detail;
-}
-
 AttemptOwner Attempts::owner_of(int64_t id) {
     connection_.begin_operation("look up an attempt in");
     context_.need(Action::kUseStore);

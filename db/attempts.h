@@ -4,6 +4,7 @@
 // Part of Store: attempts with their scores and recordings, and what lists and sums say of them.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +33,12 @@ class Attempts {
     /// Oldest first; user_id 0 = everybody's and those of studies; task_id empty = all. A person's
     /// own never hold what a participant did while that person was signed in.
     [[nodiscard]] std::vector<AttemptRecord> list(int64_t user_id, const std::string& task_id = {});
-    [[nodiscard]] AttemptDetail detail(int64_t id);   ///< Throws kNotFound.
+    [[nodiscard]] AttemptDetail detail(int64_t id);  ///< Throws kNotFound.
+    /// Of many at once, with as many questions as for one (of 500 each); those that are not there
+    /// are left out.
+    [[nodiscard]] std::map<int64_t, AttemptDetail> details(const std::vector<int64_t>& ids);
+    /// The same without metrics, reasons and events.
+    [[nodiscard]] std::map<int64_t, AttemptRecord> records(const std::vector<int64_t>& ids);
     [[nodiscard]] AttemptOwner owner_of(int64_t id);  ///< Throws kNotFound.
     /// Writes the recording file of an attempt to `path`.
     void extract_recording(int64_t attempt_id, const std::string& path);

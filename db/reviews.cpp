@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "db/id_parts.h"
 #include "db/store_context.h"
 
 namespace placode::db {
@@ -69,26 +70,31 @@ void Reviews::set_comment_removed(int64_t id, bool removed) {
 }
 
 std::vector<CommentRecord> Reviews::comments(int64_t attempt_id) {
+    return comments_of({attempt_id});
+}
+
+std::vector<CommentRecord> Reviews::comments_of(const std::vector<int64_t>& attempt_ids) {
     connection_.begin_operation("read the remarks of");
-    context_.need_sight_of_attempt(attempt_id);
-    Statement query(
-        connection_,
-        "SELECT c.id, c.attempt_id, c.author_id, COALESCE(p.display_name, '') AS "
-        "author_name, c.time_s, c.comment, c.at_utc FROM attempt_comments c LEFT JOIN persons p ON "
-        "p.account_id = c.author_id WHERE c.attempt_id = ? AND c.removed_utc = '' "
-        "ORDER BY c.time_s, c.id");
-    query.run(attempt_id);
+    context_.need_sight_of_attempts(attempt_ids);
     std::vector<CommentRecord> found;
-    while (query.next()) {
-        CommentRecord comment;
-        comment.id = query.integer("id");
-        comment.attempt_id = query.integer("attempt_id");
-        comment.author_id = query.integer("author_id");
-        comment.author_name = query.text("author_name");
-        comment.time_s = query.real("time_s");
-        comment.text = query.text("comment");
-        comment.at_utc = query.text("at_utc");
-        found.push_back(std::move(comment));
+    for (const IdPart& part : in_parts(attempt_ids)) {
+        Statement query(
+            connection_,
+            "SELECT c.id, c.attempt_id, c.author_id, COALESCE(p.display_name, '') AS author_name, "
+            "c.time_s, c.comment, c.at_utc FROM attempt_comments c LEFT JOIN persons p ON "
+            "p.account_id = c.author_id WHERE c.attempt_id IN " +
+                part.list + " AND c.removed_utc = '' ORDER BY c.attempt_id, c.time_s, c.id");
+        query.run_list(part.values);
+        while (query.next()) {
+            CommentRecord& comment = found.emplace_back();
+            comment.id = query.integer("id");
+            comment.attempt_id = query.integer("attempt_id");
+            comment.author_id = query.integer("author_id");
+            comment.author_name = query.text("author_name");
+            comment.time_s = query.real("time_s");
+            comment.text = query.text("comment");
+            comment.at_utc = query.text("at_utc");
+        }
     }
     return found;
 }

@@ -24,6 +24,8 @@ class Reviews {
     /// Takes a remark away, or puts it back. Throws kNotFound.
     void set_comment_removed(int64_t id, bool removed);
     [[nodiscard]] std::vector<CommentRecord> comments(int64_t attempt_id);  ///< By time.
+    /// Of many attempts at once: by attempt, then by time.
+    [[nodiscard]] std::vector<CommentRecord> comments_of(const std::vector<int64_t>& attempt_ids);
     /// Throws kConflict (rated already), kRefused (own attempt), kNotFound.
     int64_t save_rating(const RatingRecord& rating);
     /// Of all attempts, oldest first.

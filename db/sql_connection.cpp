@@ -17,6 +17,7 @@
 #include <stdexcept>
 
 #include "db/raw_sqlite.h"
+#include "db/statement_count.h"
 
 namespace placode::db {
 namespace {
@@ -193,6 +194,7 @@ void Connection::roll_back() noexcept {
 
 void Connection::execute(const std::string& sql) {
     QSqlQuery query(database_);
+    ++statements_sent();
     if (!query.exec(QString::fromStdString(sql))) fail(query.lastError());
 }
 
@@ -261,6 +263,7 @@ Statement::Statement(Connection& connection, const std::string& sql)
 }
 
 void Statement::execute() {
+    ++statements_sent();
     if (!query_.exec()) connection_.fail(query_.lastError());
 }
 

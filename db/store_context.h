@@ -92,7 +92,12 @@ struct StoreContext {
     /// one.
     template <class Row>
     void show_names(std::vector<Row>& rows, std::string Row::*name) {
-        for (Row& row : rows) row.*name = shown_name(row.*name);
+        std::map<std::string, std::string> shown;  // A list has few names.
+        for (Row& row : rows) {
+            const auto [at, first] = shown.try_emplace(row.*name);
+            if (first) at->second = shown_name(at->first);
+            row.*name = at->second;
+        }
     }
 
     // --- whether who acts may, by the table of db/access.cpp: store_rights.cpp. need_...() throws
@@ -111,7 +116,9 @@ struct StoreContext {
     /// On what belongs to who made the attempt. One of a study is nobody's: kGroup. One that is not
     /// there is left to the method, which says so.
     void need_for_attempt(Action action, int64_t attempt_id);
-    void need_sight_of_attempt(int64_t attempt_id);
+    void need_sight_of_attempt(int64_t attempt_id) { need_sight_of_attempts({attempt_id}); }
+    /// Of all of them, with as many questions as for one.
+    void need_sight_of_attempts(const std::vector<int64_t>& ids);
     /// True when `subject` is in no group, or in one where `of` is educator.
     [[nodiscard]] bool in_reach(int64_t of, int64_t subject);
     [[noreturn]] void refuse(Action action) const;
@@ -128,6 +135,8 @@ struct StoreContext {
     [[nodiscard]] std::optional<UserRecord> find_staff(const std::string& login_or_name);
     /// Whose attempt it is; account 0 where it is a study's. nullopt: it is not there.
     [[nodiscard]] std::optional<AttemptOwner> owner_of_attempt(int64_t id);
+    /// The same of many, as many as are there.
+    [[nodiscard]] std::vector<AttemptOwner> owners_of_attempts(const std::vector<int64_t>& ids);
     /// version 0 = the newest.
     [[nodiscard]] std::optional<DefinitionRecord> find_definition(const std::string& kind,
                                                                   const std::string& id,
@@ -144,6 +153,8 @@ struct StoreContext {
     void need_unlocked(const std::string& study_id, const std::string& code);
 
  private:
+    /// Who acts has these roles; the groups are asked only where they make a difference.
+    [[nodiscard]] bool may_for(Roles roles, Action action, int64_t user_id);
     /// What `persons` says of a kept name in this column; the kept name where it says nothing.
     [[nodiscard]] std::string person_of(const std::string& kept, const char* column);
     static constexpr int kTrailPatience = 12;  ///< A minute, where a row is waited for 5 s.
@@ -162,9 +173,13 @@ struct StoreContext {
 
 /// Most attempts have none.
 inline void show_proctors(StoreContext& context, std::span<AttemptRecord> attempts) {
-    for (AttemptRecord& each : attempts)
-        if (!each.exam.proctor.empty())
-            each.exam.proctor = context.shown_display_name(each.exam.proctor);
+    std::map<std::string, std::string> shown;
+    for (AttemptRecord& each : attempts) {
+        if (each.exam.proctor.empty()) continue;
+        const auto [at, first] = shown.try_emplace(each.exam.proctor);
+        if (first) at->second = context.shown_display_name(at->first);
+        each.exam.proctor = at->second;
+    }
 }
 
 /// The account with this key of a log-in, 0 = none; one question of a server that hides names.

@@ -4,7 +4,9 @@
 // db/access.cpp; here is only who acts, and whose the data are.
 
 #include <algorithm>
+#include <set>
 
+#include "db/id_parts.h"
 #include "db/station_guard.h"
 #include "db/store_context.h"
 
@@ -49,15 +51,14 @@ void StoreContext::need_any(std::initializer_list<Action> actions) {
 
 void StoreContext::need_for(Action action, int64_t user_id) {
     if (actor.kind == Actor::Kind::kProgram) return;
-    const Roles roles = roles_of_actor();
-    if (is_self(user_id)) {
-        if (!allowed(roles, action, Scope::kOwn)) refuse(action);
-        return;
-    }
-    // The groups are asked only where they make a difference.
+    if (!may_for(roles_of_actor(), action, user_id)) refuse(action);
+}
+
+bool StoreContext::may_for(Roles roles, Action action, int64_t user_id) {
+    if (is_self(user_id)) return allowed(roles, action, Scope::kOwn);
     const bool group = allowed(roles, action, Scope::kGroup);
     const bool other = allowed(roles, action, Scope::kOther);
-    if (group != other ? group != in_reach(actor.account, user_id) : !other) refuse(action);
+    return group == other ? other : group == in_reach(actor.account, user_id);
 }
 
 void StoreContext::need_for_group(Action action, int64_t group_id) {
@@ -80,14 +81,21 @@ void StoreContext::need_for_attempt(Action action, int64_t attempt_id) {
     need_for(action, owner->user_id);
 }
 
-void StoreContext::need_sight_of_attempt(int64_t attempt_id) {
+void StoreContext::need_sight_of_attempts(const std::vector<int64_t>& ids) {
     if (actor.kind == Actor::Kind::kProgram) return;
-    const auto owner = owner_of_attempt(attempt_id);
-    if (!owner) return need(Action::kUseStore);
+    const std::vector<AttemptOwner> owners = owners_of_attempts(ids);
+    if (owners.empty()) return need(Action::kUseStore);
+    std::set<int64_t> people;
+    for (const AttemptOwner& owner : owners)
+        if (owner.study.study.empty()) people.insert(owner.user_id);
     // Of a study it bears a code and no name: who runs studies sees it, and who sees all attempts.
-    if (!owner->study.study.empty())
-        return need_any({Action::kViewAttempts, Action::kRunQuestionnaire});
-    need_for(Action::kViewAttempts, owner->user_id);
+    if (people.empty()) return need_any({Action::kViewAttempts, Action::kRunQuestionnaire});
+    const Roles roles = roles_of_actor();
+    for (const int64_t person : people)
+        if (!may_for(roles, Action::kViewAttempts, person)) refuse(Action::kViewAttempts);
+    const bool all_of_people = std::all_of(
+        owners.begin(), owners.end(), [](const auto& owner) { return owner.study.study.empty(); });
+    if (!all_of_people) need_any({Action::kViewAttempts, Action::kRunQuestionnaire});
 }
 
 bool StoreContext::in_reach(int64_t of, int64_t subject) {
@@ -104,16 +112,28 @@ void StoreContext::refuse(Action action) const {
 }
 
 std::optional<AttemptOwner> StoreContext::owner_of_attempt(int64_t id) {
+    std::vector<AttemptOwner> found = owners_of_attempts({id});
+    if (found.empty()) return std::nullopt;
+    return std::move(found.front());
+}
+
+std::vector<AttemptOwner> StoreContext::owners_of_attempts(const std::vector<int64_t>& ids) {
     const bool guarded = server.guards();
-    Statement query(connection,
-                    guarded ? "SELECT account_id, study, participant FROM "
-                              "placode_guard.owner_of_attempt(?)"
-                            : "SELECT account_id, study, participant FROM attempts WHERE id = ?");
-    if (!query.run(id).next()) return std::nullopt;
-    AttemptOwner owner;
-    owner.study = {query.text("study"), query.text("participant")};
-    if (owner.study.study.empty()) owner.user_id = query.integer("account_id");
-    return owner;
+    std::vector<AttemptOwner> found;
+    for (const IdPart& part : in_parts(ids)) {
+        Statement query(connection,
+                        "SELECT o.account_id, o.study, o.participant FROM " +
+                            (guarded ? std::string("unnest(CAST(? AS BIGINT[])) AS i (id), "
+                                                   "placode_guard.owner_of_attempt(i.id) AS o")
+                                     : "attempts o WHERE o.id IN " + part.list));
+        guarded ? query.run('{' + part.numbers + '}') : query.run_list(part.values);
+        while (query.next()) {
+            AttemptOwner& owner = found.emplace_back();
+            owner.study = {query.text("study"), query.text("participant")};
+            if (owner.study.study.empty()) owner.user_id = query.integer("account_id");
+        }
+    }
+    return found;
 }
 
 }  // namespace placode::db

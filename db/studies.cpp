@@ -43,6 +43,17 @@ std::vector<std::string> Studies::ids() {
     return ids;
 }
 
+std::vector<std::string> Studies::with_participants() {
+    connection_.begin_operation("list studies of");
+    context_.need_any({Action::kRunQuestionnaire, Action::kExportStudy});
+    Statement query(connection_,
+                    "SELECT study_id FROM participants GROUP BY study_id ORDER BY study_id");
+    query.run();
+    std::vector<std::string> ids;
+    while (query.next()) ids.push_back(query.text(0));
+    return ids;
+}
+
 std::string Studies::new_participant(const std::string& study_id, bool demonstration) {
     connection_.begin_operation("add a participant to the study \"" + study_id + "\" in");
     context_.need(Action::kRunQuestionnaire);

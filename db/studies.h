@@ -31,6 +31,8 @@ class Studies {
 
     /// Ids of all studies that have participants or a published protocol.
     [[nodiscard]] std::vector<std::string> ids();
+    /// Those of them that have participants.
+    [[nodiscard]] std::vector<std::string> with_participants();
     /// Next code with check character; where the study is published with arms, allocates.
     std::string new_participant(const std::string& study_id, bool demonstration = false);
     [[nodiscard]] std::vector<ParticipantRecord> participants(const std::string& study_id);

@@ -17,22 +17,14 @@ constexpr std::array<const char*, kDeviationKinds> kNames{
     "paused",       "slow_machine", "ended_early", "interrupted", "repeated",
     "other_device", "skipped",      "note",        "nothing_done"};
 
-/// The attempt, unless it is gone.
-std::optional<AttemptDetail> attempt_of(Store& store, int64_t id) {
-    try {
-        return store.attempts().detail(id);
-    } catch (const StoreError& error) {
-        if (error.kind() != StoreError::Kind::kNotFound) throw;
-        return std::nullopt;
-    }
-}
+using AttemptsById = std::map<int64_t, AttemptDetail>;  ///< Those that are not gone.
 
 /// What one participant's records tell, in the order of the records.
 class Reader {
  public:
-    Reader(Store& store, const ParticipantRecord& participant,
+    Reader(const AttemptsById& attempts, const ParticipantRecord& participant,
            const curriculum::StudyProtocol* protocol, std::vector<Deviation>& found)
-        : store_(store), protocol_(protocol), found_(found), device_(participant.device) {}
+        : attempts_(attempts), protocol_(protocol), found_(found), device_(participant.device) {}
 
     void read(const StepRecord& record) {
         const auto* step = protocol_ != nullptr ? protocol_->step(record.step) : nullptr;
@@ -42,8 +34,8 @@ class Reader {
             step != nullptr && step->kind == curriculum::StepKind::kFamiliarisation;
         // Getting used to the instruments is no data: pauses in it are nobody's concern.
         if (record.attempt_id != 0 && !practice)
-            if (const auto attempt = attempt_of(store_, record.attempt_id))
-                read(record, step, *attempt);
+            if (const auto at = attempts_.find(record.attempt_id); at != attempts_.end())
+                read(record, step, at->second);
         if (record.superseded() && record.attempt_id != 0) {
             Deviation& one = add(DeviationKind::kRepeated, record);
             one.text = record.superseded_reason;
@@ -119,11 +111,21 @@ class Reader {
         }
     }
 
-    Store& store_;
+    const AttemptsById& attempts_;
     const curriculum::StudyProtocol* protocol_;
     std::vector<Deviation>& found_;
     std::string device_;
 };
+
+/// Of one code, or of all.
+AttemptsById attempts_of(Store& store, const std::vector<StepRecord>& steps,
+                         const std::string& code) {
+    std::vector<int64_t> ids;
+    for (const StepRecord& record : steps)
+        if (record.attempt_id != 0 && (code.empty() || record.participant == code))
+            ids.push_back(record.attempt_id);
+    return store.attempts().details(ids);
+}
 
 void add_notes(Store& store, const std::string& study_id, const std::string& code,
                std::vector<Deviation>& found) {
@@ -151,6 +153,7 @@ std::vector<Deviation> study_deviations(Store& store, const std::string& study_i
                                         const std::string& code) {
     std::vector<Deviation> found;
     const std::vector<StepRecord> steps = store.studies().steps(study_id);
+    const AttemptsById attempts = attempts_of(store, steps, code);
     std::map<int, std::optional<curriculum::StudyProtocol>> protocols;
     for (const ParticipantRecord& participant : store.studies().participants(study_id)) {
         if (!code.empty() && participant.code != code) continue;
@@ -158,7 +161,7 @@ std::vector<Deviation> study_deviations(Store& store, const std::string& study_i
         if (version > 0 && !protocols.contains(version))
             protocols[version] = published_study(store, study_id, version);
         const auto& protocol = protocols[version];
-        Reader reader(store, participant, protocol ? &*protocol : nullptr, found);
+        Reader reader(attempts, participant, protocol ? &*protocol : nullptr, found);
         for (const StepRecord& record : steps)
             if (record.participant == participant.code) reader.read(record);
     }

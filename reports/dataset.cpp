@@ -83,12 +83,24 @@ std::string plain_name(const std::string& text) {
 
 namespace {
 
+/// In this order. Throws where one is gone: no file leaves data out without a word.
+std::vector<db::AttemptDetail> attempts_of(db::Store& store, const std::vector<int64_t>& ids) {
+    auto found = store.attempts().details(ids);
+    std::vector<db::AttemptDetail> attempts;
+    for (const int64_t id : ids) {
+        const auto at = found.find(id);
+        attempts.push_back(at != found.end() ? std::move(at->second) : store.attempts().detail(id));
+    }
+    return attempts;
+}
+
 /// The attempts of a study, each of the step it was made for. Getting used to the instruments is no
 /// data.
 void add_attempts(db::Store& store, const std::string& study_id, const DatasetOptions& options,
                   const std::set<std::string>& usable, const Protocols& protocols,
                   std::vector<db::StepRecord>& steps, Dataset& data) {
     std::vector<std::string> owners;
+    std::vector<int64_t> ids;
     std::set<int64_t> seen;
     std::map<int64_t, const db::StepRecord*> step_of;
     int visits = 1;
@@ -101,12 +113,13 @@ void add_attempts(db::Store& store, const std::string& study_id, const DatasetOp
         const auto* protocol = protocols.of(step.participant);
         const auto* asked = protocol != nullptr ? protocol->step(step.step) : nullptr;
         if (asked != nullptr && asked->kind == curriculum::StepKind::kFamiliarisation) continue;
-        data.attempts.push_back(store.attempts().detail(step.attempt_id));
+        ids.push_back(step.attempt_id);
         owners.push_back(step.participant);
         step_of[step.attempt_id] = &step;
         visits = std::max(visits, step.visit);
     }
-    if (data.attempts.empty()) return;
+    if (ids.empty()) return;
+    data.attempts = attempts_of(store, ids);
     Form form = attempts_form(data.attempts, owners);
     add_study_fields(form, step_of, store.records().step_notes(study_id), options);
     if (visits > 1)
@@ -175,8 +188,9 @@ Dataset user_dataset(db::Store& store, const db::UserRecord& user, const Dataset
         person.rows.back().demonstration = user.demonstration;
         data.forms.push_back(std::move(person));
     }
-    for (const auto& record : store.attempts().list(user.id))
-        data.attempts.push_back(store.attempts().detail(record.id));
+    std::vector<int64_t> ids;
+    for (const auto& record : store.attempts().list(user.id)) ids.push_back(record.id);
+    data.attempts = attempts_of(store, ids);
     data.forms.push_back(
         attempts_form(data.attempts, std::vector<std::string>(data.attempts.size(), code)));
     finish(store, options, data);

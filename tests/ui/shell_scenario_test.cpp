@@ -255,6 +255,8 @@ void ShellScenarioTest::everyResultPageShowsItsNumbers() {
         QVERIFY(shell.arrives(PageId::kStudyResults));
         QVERIFY(QTest::qWaitFor(
             [&] { return shell.window().page()->state().value("view") == view; }, 10000));
+        QVERIFY(QTest::qWaitFor([&] { return shell.find<QLabel>("results_outcome") == nullptr; },
+                                60000));
         shell.whole(QString("85_scenario_") + view);
         QVERIFY2(shell.fits(), view);
         if (QString(view) == "figures") {

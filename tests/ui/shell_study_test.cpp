@@ -622,6 +622,7 @@ void ShellStudyTest::whatLeavesIsInTheTrailWhereverItsOwnerGoes() {
     QCOMPARE(trail("report.study").size(), written + 1);
     shell.window().open({PageId::kStudyResults, 0, {}, {{"study", kStudy}}});
     QVERIFY(shell.arrives(PageId::kStudyResults));
+    QVERIFY(QTest::qWaitFor([&] { return !shell.context().busy(); }, 60000));
     shell.save_as = shell.path("figures");
     QVERIFY(pressAndLeave("save_results"));
     QCOMPARE(trail("report.figures").size(), size_t{1});

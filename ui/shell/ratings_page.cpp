@@ -32,7 +32,7 @@ class RatingsPage : public Page {
         context.require(db::Action::kViewAttempts, db::Scope::kOther);
         form_ = curriculum::load_questionnaire(kForm);
         ratings_ = context.store().reviews().ratings(kForm);
-        // The newest wait for a rating; what was rated is looked up one by one.
+        // The newest wait for a rating; what was rated may be older.
         db::AttemptFilter newest;
         newest.limit = kQueued;
         newest.studies = true;  // Their codes are no names, and raters of a study are educators.
@@ -40,10 +40,10 @@ class RatingsPage : public Page {
         reached_ = {reached.begin(), reached.end()};
         for (const db::AttemptRecord& each : context.store().attempts().page(newest).rows)
             attempts_[each.id] = each;
+        std::vector<int64_t> older;
         for (const db::RatingRecord& each : ratings_)
-            if (!attempts_.contains(each.attempt_id))
-                attempts_[each.attempt_id] =
-                    context.store().attempts().detail(each.attempt_id).record;
+            if (!attempts_.contains(each.attempt_id)) older.push_back(each.attempt_id);
+        attempts_.merge(context.store().attempts().records(older));
         QVBoxLayout* column = make_column(this);
         column->addWidget(make_label(tr("Ratings"), "display"));
         column->addWidget(make_label(

@@ -4,6 +4,8 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "curriculum/definitions.h"
 #include "db/study_conduct.h"
@@ -18,15 +20,36 @@ struct StudyParts {
 
 constexpr const char* kSetting = "study";
 
-}  // namespace
-
-QString study_title(AppContext& context, const std::string& study) {
-    auto protocol = db::published_study(context.store(), study);
-    const auto shipped = curriculum::list_definitions("studies");
+/// @param protocol as published, if it is
+QString title_of(const AppContext& context, const std::string& study,
+                 std::optional<curriculum::StudyProtocol> protocol,
+                 const std::vector<std::string>& shipped) {
     if (!protocol && std::find(shipped.begin(), shipped.end(), study) != shipped.end())
         protocol = curriculum::load_study(study);
     const QString title = protocol ? context.in(protocol->title) : QString();
     return title.isEmpty() ? qstr(study) : title;
+}
+
+}  // namespace
+
+QString study_title(AppContext& context, const std::string& study) {
+    return title_of(context, study, db::published_study(context.store(), study),
+                    curriculum::list_definitions("studies"));
+}
+
+QStringList study_titles(AppContext& context, const std::vector<std::string>& ids) {
+    std::map<std::string, std::string> published;  // By version: the newest is the last.
+    for (db::DefinitionRecord& each : context.store().definitions().list("study"))
+        published[each.id] = std::move(each.json);
+    const auto shipped = curriculum::list_definitions("studies");
+    QStringList titles;
+    for (const std::string& id : ids) {
+        std::optional<curriculum::StudyProtocol> protocol;
+        if (const auto found = published.find(id); found != published.end())
+            protocol = curriculum::load_study_text(found->second, "study " + id);
+        titles << title_of(context, id, std::move(protocol), shipped);
+    }
+    return titles;
 }
 
 std::string chosen_study(AppContext& context, const std::vector<std::string>& ids,
@@ -50,7 +73,9 @@ QComboBox* make_study_chooser(AppContext& context, const std::vector<std::string
     chooser->setObjectName("study_chooser");
     chooser->setAccessibleName(StudyParts::tr("Study"));
     chooser->setMaximumWidth(420);
-    for (const std::string& id : ids) chooser->addItem(study_title(context, id), qstr(id));
+    const QStringList titles = study_titles(context, ids);
+    for (size_t i = 0; i < ids.size(); ++i)
+        chooser->addItem(titles[static_cast<qsizetype>(i)], qstr(ids[i]));
     chooser->setCurrentIndex(std::max(0, chooser->findData(qstr(chosen))));
     return chooser;
 }

@@ -18,6 +18,9 @@ namespace placode::ui {
 /// Title of the published protocol, else the id.
 [[nodiscard]] QString study_title(AppContext& context, const std::string& study);
 
+/// Of many with one question, in their order.
+[[nodiscard]] QStringList study_titles(AppContext& context, const std::vector<std::string>& ids);
+
 /// `wanted` if it is among `ids`, else the one chosen last, else the first; empty = there is none.
 /// Remembered for the other pages.
 [[nodiscard]] std::string chosen_study(AppContext& context, const std::vector<std::string>& ids,

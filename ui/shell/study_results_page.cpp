@@ -5,12 +5,12 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <array>
 #include <memory>
 
 #include "reports/attempt_counts.h"
 #include "reports/study_analysis.h"
+#include "ui/shell/analysis_table.h"
 #include "ui/shell/export_folder.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -39,8 +39,7 @@ class StudyResultsPage : public Page {
           view_(place.state.value("view", "figures").toString()),
           by_(place.state.value("by").toString()) {
         context.require(db::Action::kExportStudy);
-        for (const std::string& id : context.store().studies().ids())
-            if (!context.store().studies().participants(id).empty()) ids_.push_back(id);
+        ids_ = context.store().studies().with_participants();
         study_ = chosen_study(context, ids_, place.state.value("study").toString());
         QVBoxLayout* column = make_column(this);
         column->addLayout(head());
@@ -56,25 +55,12 @@ class StudyResultsPage : public Page {
             column->addStretch();
             return;
         }
-        report_ =
-            reports::read_study_report(context.store(), study_, context.language().toStdString());
         column->addWidget(make_label(study_title(context, study_), "heading"));
-        if (report_.data.demonstration) column->addWidget(make_demonstration_badge());
-        const auto counts = reports::attempt_counts(report_.data);
-        if (counts.all > 0) {
-            const QString said = reports::uncounted_words(counts);
-            QLabel* uncounted =
-                make_label(said.isEmpty() ? tr("All attempts count: %1.").arg(counts.all) : said,
-                           said.isEmpty() ? "muted" : "warn");
-            uncounted->setObjectName("uncounted");
-            column->addWidget(uncounted);
-        }
-        column->addLayout(views());
-        if (view_ == "figures")
-            addFigures(column);
-        else
-            addAnalysis(column);
+        body_ = new QVBoxLayout;
+        body_->setSpacing(column->spacing());
+        column->addLayout(body_);
         column->addStretch();
+        read();
     }
 
     [[nodiscard]] QString title() const override { return tr("Results"); }
@@ -83,6 +69,45 @@ class StudyResultsPage : public Page {
     }
 
  private:
+    /// A large study on a server elsewhere takes a while.
+    void read() {
+        save_->setEnabled(false);
+        QLabel* outcome = make_label(tr("Reading the study …"), "muted");
+        outcome->setObjectName("results_outcome");
+        body_->addWidget(outcome);
+        auto read = std::make_shared<reports::StudyReport>();
+        context_.background(
+            this, tr("Reading the study"),
+            [read, study = study_, language = context_.language().toStdString()](db::Store& store) {
+                *read = reports::read_study_report(store, study, language);
+            },
+            [this, read, outcome](bool done) {
+                if (!done) return outcome->setText(tr("The study could not be read."));
+                delete outcome;
+                report_ = std::move(*read);
+                save_->setEnabled(true);
+                showReport();
+            });
+    }
+
+    void showReport() {
+        if (report_.data.demonstration) body_->addWidget(make_demonstration_badge());
+        const auto counts = reports::attempt_counts(report_.data);
+        if (counts.all > 0) {
+            const QString said = reports::uncounted_words(counts);
+            QLabel* uncounted =
+                make_label(said.isEmpty() ? tr("All attempts count: %1.").arg(counts.all) : said,
+                           said.isEmpty() ? "muted" : "warn");
+            uncounted->setObjectName("uncounted");
+            body_->addWidget(uncounted);
+        }
+        body_->addLayout(views());
+        if (view_ == "figures")
+            addFigures(body_);
+        else
+            addAnalysis(body_);
+    }
+
     QLayout* head() {
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace8);
@@ -96,11 +121,10 @@ class StudyResultsPage : public Page {
             row->addWidget(chooser);
         }
         if (study_.empty()) return row;
-        QPushButton* save =
-            make_button(context_, tr("Save figures and tables"), "secondary", "download");
-        save->setObjectName("save_results");
-        connect(save, &QPushButton::clicked, this, [this] { this->save(); });
-        row->addWidget(save);
+        save_ = make_button(context_, tr("Save figures and tables"), "secondary", "download");
+        save_->setObjectName("save_results");
+        connect(save_, &QPushButton::clicked, this, [this] { save(); });
+        row->addWidget(save_);
         return row;
     }
 
@@ -163,7 +187,7 @@ class StudyResultsPage : public Page {
             return reports::construct_validity(report_, by_.toStdString(), style());
         if (view == "test_retest") return reports::test_retest(report_, style());
         if (view == "learning_curves") return reports::learning_curves(report_, style());
-        return reports::rater_agreement(report_, context_.store().reviews().ratings(kRatersForm),
+        return reports::rater_agreement(report_, report_.ratings,
                                         curriculum::load_questionnaire(kRatersForm), style());
     }
 
@@ -181,7 +205,7 @@ class StudyResultsPage : public Page {
         layout->setSpacing(kSpace8);
         layout->addWidget(
             make_label(QCoreApplication::translate("Analysis", found.title.c_str()), "heading"));
-        layout->addWidget(tableOf(found));
+        layout->addWidget(make_analysis_table(found));
         layout->addWidget(make_label(qstr(found.method), "small"));
         if (!found.caution.empty()) layout->addWidget(make_label(qstr(found.caution), "warn"));
         column->addWidget(make_card(layout));
@@ -200,31 +224,6 @@ class StudyResultsPage : public Page {
             open(view_);
         });
         column->addLayout(make_field(tr("Levels by"), chooser));
-    }
-
-    static QTableWidget* tableOf(const reports::Analysis& found) {
-        QStringList head;
-        for (const std::string& each : found.head)
-            head << QCoreApplication::translate("Analysis", each.c_str());
-        QTableWidget* table = make_table(head, qstr(found.title));
-        table->setObjectName("analysis_table");
-        table->setSortingEnabled(false);
-        table->setRowCount(static_cast<int>(found.rows.size()));
-        for (int row = 0; row < table->rowCount(); ++row) {
-            const auto& cells = found.rows[static_cast<size_t>(row)];
-            for (size_t c = 0; c < cells.size(); ++c)
-                table->setItem(row, static_cast<int>(c),
-                               cells[c].value
-                                   ? make_number_cell(qstr(cells[c].text), *cells[c].value)
-                                   : make_cell(qstr(cells[c].text)));
-        }
-        fit_columns(table, 0);
-        table->horizontalHeader()->setMinimumSectionSize(64);
-        table->setColumnWidth(0, 240);
-        table->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);  // as computed
-        table->setSortingEnabled(true);
-        table->setMinimumHeight(std::min(10, table->rowCount() + 1) * kTouchTarget + 10);
-        return table;
     }
 
     /// Figures as SVG, PNG and data, numbers.csv, and every analysis that has a table.
@@ -268,6 +267,8 @@ class StudyResultsPage : public Page {
     std::vector<std::string> ids_;
     std::string study_;
     QString view_, by_;
+    QVBoxLayout* body_ = nullptr;
+    QPushButton* save_ = nullptr;
     reports::StudyReport report_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <QDateTime>
 #include <algorithm>
+#include <map>
 
 #include "db/course_conduct.h"
 
@@ -117,17 +118,20 @@ NewRemarks new_remarks(AppContext& context, const std::vector<db::AttemptRecord>
     std::string newest;
     const QDateTime since = QDateTime::currentDateTimeUtc().addDays(-kRemarksDays);
     const size_t from = own.size() > kRemarkedAttempts ? own.size() - kRemarkedAttempts : 0;
+    std::map<int64_t, qlonglong> read;
+    std::vector<int64_t> ids;
     for (size_t i = from; i < own.size(); ++i) {
-        const qlonglong read = context.storeSetting(read_key(context, own[i].id)).toLongLong();
-        for (const db::CommentRecord& each : context.store().reviews().comments(own[i].id)) {
-            if (each.author_id == context.user().id || each.id <= read) continue;
-            const auto at = QDateTime::fromString(QString::fromStdString(each.at_utc), Qt::ISODate);
-            if (at < since) continue;
-            ++found.count;
-            if (each.at_utc < newest) continue;
-            newest = each.at_utc;
-            found.attempt_id = own[i].id;
-        }
+        ids.push_back(own[i].id);
+        read[own[i].id] = context.storeSetting(read_key(context, own[i].id)).toLongLong();
+    }
+    for (const db::CommentRecord& each : context.store().reviews().comments_of(ids)) {
+        if (each.author_id == context.user().id || each.id <= read[each.attempt_id]) continue;
+        const auto at = QDateTime::fromString(QString::fromStdString(each.at_utc), Qt::ISODate);
+        if (at < since) continue;
+        ++found.count;
+        if (each.at_utc < newest) continue;
+        newest = each.at_utc;
+        found.attempt_id = each.attempt_id;
     }
     return found;
 }

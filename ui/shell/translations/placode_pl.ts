@@ -8419,6 +8419,18 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Żadne badanie nie ma jeszcze uczestników. Pierwszego proszę włączyć na stronie Badania.</translation>
     </message>
     <message>
+        <source>Reading the study …</source>
+        <translation>Wczytywanie badania …</translation>
+    </message>
+    <message>
+        <source>Reading the study</source>
+        <translation>Wczytywanie badania</translation>
+    </message>
+    <message>
+        <source>The study could not be read.</source>
+        <translation>Nie udało się wczytać badania.</translation>
+    </message>
+    <message>
         <source>Results</source>
         <translation>Wyniki</translation>
     </message>

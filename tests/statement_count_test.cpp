@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A server elsewhere takes 50 ms for each statement: what reads or writes many rows sends as many
+// of them for thirty as for two. Nothing is timed: the statements are counted, on both engines.
+
+#include "db/statement_count.h"
+
+#include <gmock/gmock.h>
+
+#include <functional>
+
+#include "db/study_deviations.h"
+#include "tests/store_cases.h"
+
+using namespace placode;
+using namespace placode::test;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+namespace THIS_TEST {
+
+int64_t cost_of(const std::function<void()>& work) {
+    const int64_t before = db::statements_sent();
+    work();
+    return db::statements_sent() - before;
+}
+
+class StatementCount : public StoreTest {
+ protected:
+    void ready() override {
+        StoreTest::ready();
+        owner = open();
+        anna = owner->accounts().create(trainee("anna"));
+        bert = owner->accounts().create(trainee("bert"));
+        db::NewUser teacher = trainee("coach");
+        teacher.roles = static_cast<db::Roles>(db::Role::kEducator) |
+                        static_cast<db::Roles>(db::Role::kCoordinator);
+        coach = owner->accounts().create(teacher);
+        // As people sit there: rights are asked, too.
+        store = open_at_station();
+        ASSERT_EQ(store->accounts().sign_in("coach", kPassword).outcome, db::SignInOutcome::kOk);
+    }
+    /// Half of them of each of two people, each with a remark.
+    std::vector<int64_t> add_attempts(int n) {
+        std::vector<int64_t> ids;
+        for (int i = 0; i < n; ++i) {
+            db::AttemptResult result = make_result();
+            result.score.points = i;
+            result.events.front().kind = sim::EventKind::kPaused;
+            ids.push_back(owner->attempts().save(i % 2 == 0 ? anna : bert, result));
+            owner->reviews().add_comment({0, ids.back(), coach, "", -1, std::to_string(i), ""});
+        }
+        return ids;
+    }
+    /// Each with a participant of its own, and one attempt.
+    void add_participants(const std::string& study, int n) {
+        for (int i = 0; i < n; ++i) {
+            db::AttemptResult result = make_result();
+            result.study = {study, owner->studies().new_participant(study)};
+            db::StepRecord step;
+            step.study_id = study;
+            step.participant = result.study.participant;
+            step.step = "run";
+            step.attempt_id = owner->attempts().save(coach, result);
+            owner->studies().record_step(step);
+        }
+    }
+
+    std::unique_ptr<db::Store> owner, store;
+    int64_t anna = 0, bert = 0, coach = 0;
+};
+
+INSTANTIATE_TEST_SUITE_P(Engines, StatementCount, testing::Values("Sqlite", "Postgresql"),
+                         engine_name);
+
+TEST_P(StatementCount, EveryStatementCounts) {
+    EXPECT_GT(cost_of([&] { (void)store->attempts().list(0); }), 1) << "the rights, and the rows";
+    EXPECT_GT(cost_of([&] { owner->groups().create("Spring"); }), 3);
+}
+
+TEST_P(StatementCount, ManyAttemptsCostAsMuchAsTwo) {
+    const std::vector<int64_t> ids = add_attempts(30), two{ids[0], ids[1]};
+    std::map<int64_t, db::AttemptDetail> few, all;
+    const int64_t of_two = cost_of([&] { few = store->attempts().details(two); });
+    EXPECT_EQ(cost_of([&] { all = store->attempts().details(ids); }), of_two);
+    EXPECT_LT(of_two, 10);
+    ASSERT_THAT(few, SizeIs(2));
+    ASSERT_THAT(all, SizeIs(30));
+    for (size_t i = 0; i < ids.size(); ++i) {
+        const db::AttemptDetail& here = all.at(ids[i]);
+        EXPECT_EQ(here.record.id, ids[i]);
+        EXPECT_EQ(here.record.user_id, i % 2 == 0 ? anna : bert);
+        EXPECT_EQ(here.score.points, static_cast<double>(i));
+        ASSERT_THAT(here.metrics.values, SizeIs(5));
+        EXPECT_EQ(here.metrics.values[3].id, "third");
+        EXPECT_EQ(here.metrics.values[3].value, -1.0 / 3.0);
+        ASSERT_THAT(here.score.reasons, SizeIs(2));
+        EXPECT_EQ(here.score.reasons[0].item, "dwell");
+        EXPECT_EQ(here.score.reasons[0].meaning, make_result().score.reasons[0].meaning);
+        ASSERT_THAT(here.events, SizeIs(2));
+        EXPECT_EQ(here.events[0].kind, sim::EventKind::kPaused);
+        EXPECT_EQ(here.events[1].kind, sim::EventKind::kDwell);
+    }
+    std::map<int64_t, db::AttemptRecord> records;
+    const int64_t light = cost_of([&] { (void)store->attempts().records(two); });
+    EXPECT_EQ(cost_of([&] { records = store->attempts().records(ids); }), light);
+    EXPECT_LT(light, of_two);
+    EXPECT_EQ(records.at(ids[7]).points, 7);
+}
+
+TEST_P(StatementCount, WhatIsNotThereIsLeftOutAndTwiceIsOnce) {
+    const std::vector<int64_t> ids = add_attempts(1);
+    EXPECT_THAT(store->attempts().details({ids[0], 4711, ids[0]}), SizeIs(1));
+    EXPECT_THAT(store->attempts().details({}), IsEmpty());
+    EXPECT_THAT(store->attempts().records({4711}), IsEmpty());
+    EXPECT_THAT(store->reviews().comments_of({}), IsEmpty());
+    // More than one question takes.
+    std::vector<int64_t> many(ids);
+    for (int64_t id = 10'000; id < 11'200; ++id) many.push_back(id);
+    EXPECT_THAT(store->attempts().details(many), SizeIs(1));
+}
+
+TEST_P(StatementCount, OneAttemptOfSomebodyElseIsEnoughToBeRefused) {
+    const std::vector<int64_t> ids = add_attempts(2);
+    const auto own = open_at_station();
+    ASSERT_EQ(own->accounts().sign_in("anna", kPassword).outcome, db::SignInOutcome::kOk);
+    EXPECT_THAT(own->attempts().details({ids[0]}), SizeIs(1));
+    for (const auto& ask : {std::function<void()>([&] { (void)own->attempts().details(ids); }),
+                            std::function<void()>([&] { (void)own->attempts().records(ids); }),
+                            std::function<void()>([&] { (void)own->reviews().comments_of(ids); })})
+        EXPECT_EQ(failure_of(ask).kind(), db::StoreError::Kind::kRefused);
+    // Of a study, beside an own one.
+    add_participants("pilot", 1);
+    const int64_t study = owner->studies().steps("pilot").front().attempt_id;
+    EXPECT_EQ(failure_of([&] {
+                  (void)own->attempts().details({ids[0], study});
+              }).kind(),
+              db::StoreError::Kind::kRefused);
+}
+
+TEST_P(StatementCount, RemarksOnManyAttemptsCostAsMuchAsOnTwo) {
+    const std::vector<int64_t> ids = add_attempts(30);
+    const int64_t of_two = cost_of([&] {
+        (void)store->reviews().comments_of({ids.front(), ids.back()});
+    });
+    std::vector<db::CommentRecord> all;
+    EXPECT_EQ(cost_of([&] { all = store->reviews().comments_of(ids); }), of_two);
+    ASSERT_THAT(all, SizeIs(30));
+    for (size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(all[i].attempt_id, ids[i]);
+        EXPECT_EQ(all[i].text, std::to_string(i));
+    }
+}
+
+TEST_P(StatementCount, DeviationsOfManyParticipantsCostAsMuchAsOfTwo) {
+    add_participants("few", 2);
+    add_participants("many", 30);
+    std::vector<db::Deviation> found;
+    const int64_t of_two = cost_of([&] { (void)db::study_deviations(*store, "few"); });
+    EXPECT_EQ(cost_of([&] { found = db::study_deviations(*store, "many"); }), of_two);
+    EXPECT_THAT(found, testing::Not(IsEmpty()));
+}
+
+TEST_P(StatementCount, StudiesWithParticipantsAreOneQuestion) {
+    (void)owner->studies().new_participant("b");
+    (void)owner->studies().new_participant("a");
+    (void)owner->studies().new_participant("b");
+    std::vector<std::string> ids;
+    const int64_t of_two = cost_of([&] { ids = store->studies().with_participants(); });
+    EXPECT_THAT(ids, ElementsAre("a", "b"));
+    for (int i = 0; i < 28; ++i) (void)owner->studies().new_participant("c" + std::to_string(i));
+    EXPECT_EQ(cost_of([&] { ids = store->studies().with_participants(); }), of_two);
+    EXPECT_THAT(ids, SizeIs(30));
+}
+
+}  // namespace THIS_TEST
