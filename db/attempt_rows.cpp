@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "db/many_rows.h"
 #include "db/reason_json.h"
 #include "db/void_reason.h"
 
@@ -144,17 +145,18 @@ std::string is_finished(const std::string& table) {
 void insert_score(Connection& connection, const std::string& table, const std::string& owner,
                   int64_t id, const assessment::MetricSet& metrics,
                   const assessment::Score& score) {
-    Statement metric(connection, "INSERT INTO " + table + "_metrics (" + owner +
-                                     ", position, metric_id, value) VALUES (?, ?, ?, ?)");
+    ManyRows values(connection, table + "_metrics (" + owner + ", position, metric_id, value)");
     int position = 0;
-    for (const auto& value : metrics.values) metric.run(id, position++, value.id, value.value);
-    Statement reason(connection, "INSERT INTO " + table + "_reasons (" + owner +
+    for (const auto& value : metrics.values) values.add(id, position++, value.id, value.value);
+    values.finish();
+    ManyRows reasons(connection, table + "_reasons (" + owner +
                                      ", position, item, reason, points, time_s, critical, "
-                                     "meaning) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+                                     "meaning)");
     position = 0;
     for (const auto& one : score.reasons)
-        reason.run(id, position++, one.item, one.text, one.points, one.time_s, one.critical,
-                   reason_json(one.meaning));
+        reasons.add(id, position++, one.item, one.text, one.points, one.time_s, one.critical,
+                    reason_json(one.meaning));
+    reasons.finish();
 }
 
 }  // namespace placode::db

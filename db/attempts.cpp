@@ -12,6 +12,7 @@
 #include "db/attempt_rows.h"
 #include "db/exam_check.h"
 #include "db/haptic_verdict.h"
+#include "db/many_rows.h"
 #include "db/packing.h"
 #include "db/recording_chunks.h"
 #include "db/store_context.h"
@@ -62,19 +63,18 @@ int64_t insert_attempt(StoreContext& context, int64_t user_id, const AttemptResu
 
 void insert_lists(Connection& connection, int64_t id, const AttemptResult& result) {
     insert_score(connection, "attempt", "attempt_id", id, result.metrics, result.score);
-    Statement event(
-        connection,
-        "INSERT INTO attempt_events (attempt_id, position, time_s, kind, tool, tissue, "
-        "value, value2, rest_x_m, rest_y_m, rest_z_m, element) VALUES (?, ?, ?, ?, ?, ?, "
-        "?, ?, ?, ?, ?, ?)");
+    ManyRows events(connection,
+                    "attempt_events (attempt_id, position, time_s, kind, tool, tissue, value, "
+                    "value2, rest_x_m, rest_y_m, rest_z_m, element)");
     int position = 0;
     for (const auto& one : result.events) {
         if (sim::only_in_recording(one.kind)) continue;
-        event.run(id, position++, one.time_s, static_cast<int>(one.kind), int{one.tool},
-                  static_cast<int>(one.tissue), double{one.value}, double{one.value2},
-                  double{one.rest_position_m[0]}, double{one.rest_position_m[1]},
-                  double{one.rest_position_m[2]}, int{one.element});
+        events.add(id, position++, one.time_s, static_cast<int>(one.kind), int{one.tool},
+                   static_cast<int>(one.tissue), double{one.value}, double{one.value2},
+                   double{one.rest_position_m[0]}, double{one.rest_position_m[1]},
+                   double{one.rest_position_m[2]}, int{one.element});
     }
+    events.finish();
 }
 
 Bytes read_bytes(Connection& connection, const std::string& path) {

@@ -114,6 +114,8 @@ class Statement {
     [[nodiscard]] int64_t affected() const { return query_.numRowsAffected(); }
 
  private:
+    friend class ManyRows;  // Binds as run() does.
+
     void execute();
     /// Names of the answer's columns, read once: they stay the same however often it is run.
     [[nodiscard]] const std::vector<std::string>& names() const;

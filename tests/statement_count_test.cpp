@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <functional>
 
 #include "db/study_deviations.h"
@@ -160,6 +161,60 @@ TEST_P(StatementCount, DeviationsOfManyParticipantsCostAsMuchAsOfTwo) {
     const int64_t of_two = cost_of([&] { (void)db::study_deviations(*store, "few"); });
     EXPECT_EQ(cost_of([&] { found = db::study_deviations(*store, "many"); }), of_two);
     EXPECT_THAT(found, testing::Not(IsEmpty()));
+}
+
+/// No two alike, and numbers that a text would round.
+db::AttemptResult result_with(int events, int metrics, int reasons) {
+    db::AttemptResult result = make_result();
+    const sim::Event one = result.events[1];
+    result.events.clear();
+    result.metrics.values.clear();
+    result.score.reasons.clear();
+    for (int i = 0; i < events; ++i) {
+        sim::Event& event = result.events.emplace_back(one);
+        event.time_s = i / 3.0;
+        event.value = 0.1F * static_cast<float>(i);
+        event.element = i;
+    }
+    for (int i = 0; i < metrics; ++i)
+        result.metrics.values.push_back({"metric_" + std::to_string(i),
+                                         i % 7 == 0 ? std::nan("") : static_cast<double>(i) / 3});
+    for (int i = 0; i < reasons; ++i)
+        result.score.reasons.push_back({"item", "Reason " + std::to_string(i), i / 3.0, -1, false});
+    return result;
+}
+
+TEST_P(StatementCount, SavingManyRowsCostsAFewStatementsMore) {
+    int64_t id = 0;
+    const auto cost = [&](const db::AttemptResult& result) {
+        return cost_of([&] { id = owner->attempts().save(anna, result); });
+    };
+    (void)cost(result_with(10, 10, 10));  // What is asked once.
+    const int64_t of_ten = cost(result_with(10, 10, 10));
+    EXPECT_LE(cost(result_with(500, 10, 10)), of_ten + 5);
+    EXPECT_LE(cost(result_with(10, 500, 500)), of_ten + 10);
+    for (const int n : {0, 1, 99, 100, 101, 250}) {
+        const db::AttemptResult result = result_with(n, n, n);
+        (void)cost(result);
+        const db::AttemptDetail kept = store->attempts().detail(id);
+        ASSERT_THAT(kept.events, SizeIs(n));
+        ASSERT_THAT(kept.metrics.values, SizeIs(n));
+        ASSERT_THAT(kept.score.reasons, SizeIs(n));
+        for (size_t i = 0; i < kept.events.size(); ++i) {
+            EXPECT_EQ(kept.events[i].time_s, result.events[i].time_s);
+            EXPECT_EQ(kept.events[i].value, result.events[i].value);
+            EXPECT_EQ(kept.events[i].rest_position_m, result.events[i].rest_position_m);
+            EXPECT_EQ(kept.events[i].element, static_cast<int32_t>(i));
+            EXPECT_EQ(kept.metrics.values[i].id, result.metrics.values[i].id);
+            EXPECT_THAT(kept.metrics.values[i].value,
+                        testing::NanSensitiveDoubleEq(result.metrics.values[i].value));
+            EXPECT_EQ(kept.score.reasons[i].text, result.score.reasons[i].text);
+            EXPECT_EQ(kept.score.reasons[i].points, result.score.reasons[i].points);
+        }
+    }
+    // What was written is what was sealed.
+    for (const std::string& problem : owner->check())
+        EXPECT_THAT(problem, testing::Not(testing::HasSubstr("seals:")));
 }
 
 TEST_P(StatementCount, StudiesWithParticipantsAreOneQuestion) {
