@@ -9,7 +9,9 @@
 #include <QObject>
 #include <QSettings>
 #include <QString>
+#include <QThreadPool>
 #include <QTimer>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -50,7 +52,10 @@ struct ShellOptions {
     std::function<void(const QString&)> show_file;
 };
 
-/// Main thread. Outlives all pages.
+/// Who waits for whom in the background: an attempt that is being saved never waits behind a
+/// backup, a check of the store or a report.
+enum class Lane : uint8_t { kWork, kSaving };
+
 /// Work whose time grows with the length of a recording.
 struct WorkSize {
     QString kind;           ///< "scoring", "reading"; empty = nobody knows.
@@ -62,6 +67,7 @@ struct WorkPace {
     bool overdue = false;  ///< It takes so much longer than before that nobody can say.
 };
 
+/// Main thread. Outlives all pages.
 class AppContext : public QObject {
     Q_OBJECT
  public:
@@ -175,14 +181,17 @@ class AppContext : public QObject {
     void backgroundFor(int64_t account, QObject* receiver, const QString& doing,
                        std::function<void(db::Store&)> work, std::function<void(bool)> done,
                        const WorkSize& size = {},
-                       std::function<bool(const std::exception_ptr&)> dealt_with = {});
+                       std::function<bool(const std::exception_ptr&)> dealt_with = {},
+                       Lane lane = Lane::kWork);
     /// The same without a word to anybody: `done` gets the exception, or nothing.
     void quietlyFor(int64_t account, QObject* receiver, std::function<void(db::Store&)> work,
-                    std::function<void(const std::exception_ptr&)> done);
+                    std::function<void(const std::exception_ptr&)> done, Lane lane = Lane::kWork);
     /// How far the work in progress is, by what work of its kind took on this computer before;
     /// nullopt when there is none, several at once, or nothing known of it.
     [[nodiscard]] std::optional<WorkPace> busyPace() const;
     [[nodiscard]] bool busy() const { return busy_ > 0; }
+    /// What began last, in the words of its caller.
+    [[nodiscard]] const QString& busyWith() const { return busy_with_; }
     /// Does it now, or when the work in the background is done; not when `receiver` has gone.
     void whenIdle(QObject* receiver, std::function<void()> act);
     void report(const Problem& problem) { Q_EMIT problemReported(problem); }
@@ -235,7 +244,9 @@ class AppContext : public QObject {
     ScreenAwake awake_;
     std::unique_ptr<AttemptLauncher> launcher_;
     std::unique_ptr<ReplayQueue> replays_;
+    QThreadPool saves_;  ///< Of Lane::kSaving: one at a time.
     int busy_ = 0;
+    QString busy_with_;
     WorkSize work_size_;  ///< Of the last work that began.
     QElapsedTimer work_started_;
     std::unique_ptr<WaitingRecordings> waiting_;

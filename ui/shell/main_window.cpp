@@ -3,7 +3,6 @@
 #include "ui/shell/main_window.h"
 
 #include <QApplication>
-#include <QCloseEvent>
 #include <QScreen>
 #include <QShortcut>
 #include <QToolButton>
@@ -28,8 +27,10 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
     connect(&context, &AppContext::appearanceChanged, this, &MainWindow::rebuild);
     connect(&context, &AppContext::sessionEnds, this, &MainWindow::keepPlace);
     connect(&context, &AppContext::userChanged, this, &MainWindow::onUserChanged);
-    connect(&context, &AppContext::problemReported, this,
-            [this](const Problem& problem) { notices_->showProblem(problem); });
+    connect(&context, &AppContext::problemReported, this, [this](const Problem& problem) {
+        closes_when_done_ = false;
+        notices_->showProblem(problem);
+    });
     connect(&context, &AppContext::busyChanged, notices_, &Notices::showBusy);
     connect(&context, &AppContext::erasureEnded, this, &MainWindow::onErasureEnded);
     connect(&context.launcher(), &AttemptLauncher::ended, this, &MainWindow::onAttemptEnded);
@@ -305,18 +306,6 @@ QRect MainWindow::barStrip() const {
         left = std::max(left, badge->geometry().right());
     const QRect free(left + kSpace16, 2, right - left - 2 * kSpace16, bar_->height() - 4);
     return {bar_->mapTo(this, free.topLeft()), free.size()};
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    const bool stay =
-        (page_ && !page_->mayLeave()) || !mayTakeBack() ||
-        (context_.launcher().running() &&
-         !confirm(this, tr("Close Placode while an attempt is running?"),
-                  tr("The attempt ends. Its recording is kept and offered at the next start."),
-                  tr("Close"), tr("Stay here")));
-    if (stay) return event->ignore();
-    context_.settings().setValue(kGeometrySetting, saveGeometry());
-    event->accept();
 }
 
 }  // namespace placode::ui

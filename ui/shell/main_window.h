@@ -122,6 +122,9 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] static Place placeOf(const AttemptOrder& order);
     /// Whoever is signed in may be another than the one who made the attempt.
     [[nodiscard]] bool isMine(const AttemptOrder& order) const;
+    /// Work in the background would hold up the end of the program without a window: asks, and
+    /// closes later where that is wished. False: there is none.
+    [[nodiscard]] bool waitsForWork();
     /// From the page of an attempt that came to nothing.
     [[nodiscard]] QRect barStrip() const;
     /// The history opens on the task that is before the eyes.
@@ -146,6 +149,7 @@ class MainWindow : public QMainWindow {
     QToolButton *running_ = nullptr, *waiting_ = nullptr;
     std::vector<std::pair<QToolButton*, PageId>> rail_buttons_;
     QPointer<QWidget> search_;
+    bool closes_when_done_ = false;  ///< Until a problem is reported: it must be read.
     QTimer idle_;
     QTimer attempt_ended_;    ///< Runs for a moment after the end of an attempt.
     QElapsedTimer held_key_;  ///< Valid: a key may still be down. Since it was heard of last.

@@ -133,7 +133,8 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
         [this, order = ending.order](const std::exception_ptr& error) {
             context_.savingEnds(order.recording_file);
             return keepForLater(order, error);
-        });
+        },
+        Lane::kSaving);
 }
 
 bool MainWindow::keepForLater(const AttemptOrder& order, const std::exception_ptr& error) {

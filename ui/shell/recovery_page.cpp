@@ -181,8 +181,8 @@ class RecoveryPage : public Page {
 
     void save(const AttemptOrder& order) {
         auto saved = std::make_shared<SavedAttempt>();
-        context_.background(
-            this, tr("Saving the attempt"),
+        context_.backgroundFor(
+            context_.user().id, this, tr("Saving the attempt"),
             [saved, order](db::Store& store) { *saved = save_recording(store, order); },
             [this, saved, order](bool done) {
                 if (!done) return;
@@ -202,7 +202,8 @@ class RecoveryPage : public Page {
                         ? Place{PageId::kResult, saved->attempt_id, {}, {}}
                         : Place{
                               PageId::kStudyData, 0, order.participant, {{"study", order.study}}});
-            });
+            },
+            {}, {}, Lane::kSaving);
     }
 };
 

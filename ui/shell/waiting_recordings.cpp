@@ -132,7 +132,8 @@ void WaitingRecordings::tryNext() {
             [outcome, order](db::Store& store) { *outcome = save_recording(store, order); },
             [this, outcome, order](const std::exception_ptr& error) {
                 onTried(order, *outcome, error);
-            });
+            },
+            Lane::kSaving);
     }
     asked_ = false;
     look();

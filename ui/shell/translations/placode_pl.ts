@@ -6729,6 +6729,18 @@
         <translation>Zostań tutaj</translation>
     </message>
     <message>
+        <source>Close Placode when its work is done?</source>
+        <translation>Zamknąć Placode po zakończeniu pracy?</translation>
+    </message>
+    <message>
+        <source>%1: this is still running. Placode closes by itself when it is done; if it fails, Placode stays open.</source>
+        <translation>%1: to jeszcze trwa. Program zamknie się, gdy skończy; jeśli się nie uda, zostanie otwarty.</translation>
+    </message>
+    <message>
+        <source>Close when done</source>
+        <translation>Zamknij po zakończeniu</translation>
+    </message>
+    <message>
         <source>Close Placode while an attempt is running?</source>
         <translation>Zamknąć Placode podczas próby?</translation>
     </message>
