@@ -4,32 +4,10 @@
 // window that is closed meanwhile says what it waits for. The threads of all other work are held
 // up, so nothing depends on how long anything takes.
 
-#include <QSemaphore>
-
+#include "all_threads_taken.h"
 #include "shell_harness.h"
 
 namespace placode::ui {
-
-/// Every thread for work in the background is taken until the end of its life.
-class AllThreadsTaken {
- public:
-    AllThreadsTaken() {
-        QThreadPool* pool = QThreadPool::globalInstance();
-        pool->waitForDone();
-        count_ = pool->maxThreadCount();
-        for (int i = 0; i < count_; ++i) pool->start([this] { go_.acquire(); });
-    }
-    ~AllThreadsTaken() {
-        go_.release(count_);
-        QThreadPool::globalInstance()->waitForDone();
-    }
-    AllThreadsTaken(const AllThreadsTaken&) = delete;
-    AllThreadsTaken& operator=(const AllThreadsTaken&) = delete;
-
- private:
-    QSemaphore go_;
-    int count_ = 0;
-};
 
 class ShellBusyTest : public QObject {
     Q_OBJECT

@@ -6,6 +6,7 @@
 #include <QProcess>
 #include <QRadioButton>
 
+#include "all_threads_taken.h"
 #include "page_fit.h"
 #include "shell_harness.h"
 
@@ -19,6 +20,7 @@ class ShellStoreTest : public QObject {
     void cleanup() { shell_.reset(); }
     void aStoreThatWasMovedIsFoundAgain();
     void aStoreThatIsGoneComesFromItsBackup();
+    void nobodyOpensTheStoreWhileABackupIsPutInPlace();
     void anEmptyStoreIsBegunOnlyWhenSomebodySaysSo();
     void theRolesOfAPersonAreChanged();
     void aSessionEndsWhenItsRolesAreOthers();
@@ -107,6 +109,45 @@ void ShellStoreTest::aStoreThatIsGoneComesFromItsBackup() {
     shell_->shot("105_restored");
     QVERIFY(shell_->signIn("ada", "correct horse"));
     QVERIFY(QFile::exists(file()));
+}
+
+void ShellStoreTest::nobodyOpensTheStoreWhileABackupIsPutInPlace() {
+    const QString copy = shell_->path("copy_again.db");
+    shell_->owner().backup(copy.toStdString());
+    loseStore();
+    QVERIFY(asksForTheStore());
+    shell_->open_this = copy;
+    {
+        AllThreadsTaken taken;
+        QVERIFY(shell_->click("restore_backup"));
+        QVERIFY(QTest::qWaitFor([&] { return shell_->context().restoring(); }, 5000));
+        QVERIFY2(!QFile::exists(file()), "nothing is done in this thread");
+        QVERIFY(!shell_->click("begin_anew"));
+        QVERIFY(!shell_->click("try_again"));
+        // The window is built anew, which looks for the store.
+        shell_->context().setLanguage("pl");
+        shell_->context().setLanguage("en");
+        QVERIFY(asksForTheStore());
+        QVERIFY(!shell_->click("begin_anew"));
+        QVERIFY(!shell_->context().openStore());
+        QVERIFY(!QFile::exists(file()));
+        shell_->refuseNext();
+        QVERIFY2(!shell_->window().close(), "it asks");
+    }
+    QVERIFY(shell_->arrives(PageId::kLogin, 60));
+    QVERIFY(shell_->signIn("ada", "correct horse"));
+    // What is no backup is said, and the ways on are there again.
+    loseStore();
+    QFile none(shell_->path("none.db"));
+    QVERIFY(none.open(QIODevice::WriteOnly) && none.write("no store") > 0);
+    none.close();
+    shell_->open_this = none.fileName();
+    QVERIFY(shell_->click("restore_backup"));
+    QVERIFY(QTest::qWaitFor([&] { return shell_->window().banner().isShown(); }, 60000));
+    QVERIFY(asksForTheStore());
+    shell_->open_this = copy;
+    QVERIFY(shell_->click("restore_backup"));
+    QVERIFY(shell_->arrives(PageId::kLogin, 60));
 }
 
 void ShellStoreTest::anEmptyStoreIsBegunOnlyWhenSomebodySaysSo() {

@@ -81,7 +81,9 @@ class AppContext : public QObject {
     /// reported: there are three ways on.
     [[nodiscard]] bool storeIsMissing() const { return store_missing_; }
     [[nodiscard]] bool beginAnew();  ///< Makes a new store: only when somebody has said so.
-    [[nodiscard]] bool restoreBackup(const QString& file);
+    /// In the background, then opens the store; until `done` openStore() opens nothing.
+    void restoreBackup(const QString& file, QObject* receiver, std::function<void(bool)> done);
+    [[nodiscard]] bool restoring() const { return restoring_; }
     /// Another file from now on, also at the next start without --store.
     [[nodiscard]] bool chooseStore(const QString& file);
     /// The same for a centre's server; `address` without a password. What was open stays open when
@@ -207,6 +209,12 @@ class AppContext : public QObject {
     void erasureEnded(const QString& name, bool done);
 
  private:
+    /// Says that work began; the function that comes back hears its end.
+    [[nodiscard]] std::function<void(const std::exception_ptr&)> beginBusy(
+        QObject* receiver, const QString& doing, std::function<void(bool)> done,
+        const WorkSize& size, std::function<bool(const std::exception_ptr&)> dealt_with);
+    void inThread(QObject* receiver, std::function<void()> work,
+                  std::function<void(const std::exception_ptr&)> done, Lane lane);
     [[nodiscard]] bool openStore(const db::StoreOptions& options);
     [[nodiscard]] std::string startingStore(const std::string& asked) const;
     [[nodiscard]] std::string urlWithPassword();
@@ -225,7 +233,7 @@ class AppContext : public QObject {
     std::function<void(const QString&)> show_file_;
     std::unique_ptr<QSettings> settings_;
     std::unique_ptr<db::Store> store_;
-    bool store_missing_ = false;
+    bool store_missing_ = false, restoring_ = false;
     std::optional<db::UserRecord> user_;
     QString session_note_;
     QElapsedTimer session_asked_;

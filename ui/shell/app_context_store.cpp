@@ -53,6 +53,7 @@ std::string AppContext::urlWithPassword() {
 }
 
 bool AppContext::openStore(const db::StoreOptions& options) {
+    if (restoring_) return false;  // Another file is about to take its place.
     store_.reset();
     store_missing_ = false;
     const QString asked = without_password(store_url_);
@@ -90,13 +91,6 @@ bool AppContext::beginAnew() {
     db::StoreOptions options;
     options.begin_anew = true;
     return openStore(options);
-}
-
-bool AppContext::restoreBackup(const QString& file) {
-    store_.reset();
-    return guard(tr("Restoring the backup"),
-                 [&] { db::restore_store(store_url_, file.toStdString()); }) &&
-           openStore();
 }
 
 bool AppContext::chooseStore(const QString& file) {

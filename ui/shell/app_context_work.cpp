@@ -35,43 +35,52 @@ void AppContext::backgroundFor(int64_t account, QObject* receiver, const QString
                                const WorkSize& size,
                                std::function<bool(const std::exception_ptr&)> dealt_with,
                                Lane lane) {
+    quietlyFor(account, this, std::move(work),
+               beginBusy(receiver, doing, std::move(done), size, std::move(dealt_with)), lane);
+}
+
+std::function<void(const std::exception_ptr&)> AppContext::beginBusy(
+    QObject* receiver, const QString& doing, std::function<void(bool)> done, const WorkSize& size,
+    std::function<bool(const std::exception_ptr&)> dealt_with) {
     ++busy_;
     busy_with_ = doing;
     work_size_ = size;
     work_started_.start();
     Q_EMIT busyChanged(doing);
     const QPointer<QObject> alive(receiver);
-    const QElapsedTimer began = work_started_;
-    quietlyFor(
-        account, this, std::move(work),
-        [this, alive, doing, done = std::move(done), dealt_with = std::move(dealt_with), size,
-         began](const std::exception_ptr& error) {
-            if (!error) learn_pace(*settings_, size, static_cast<double>(began.elapsed()) / 1000);
-            if (--busy_ == 0) Q_EMIT busyChanged({});
-            if (error && !(alive && dealt_with && dealt_with(error)))
-                report(problem_of(error, doing));
-            // `done` may read on, and no exception may leave a queued call.
-            if (alive) guard(doing, [&] { done(!error); });
-        },
-        lane);
+    return [this, alive, doing, done = std::move(done), dealt_with = std::move(dealt_with), size,
+            began = work_started_](const std::exception_ptr& error) {
+        if (!error) learn_pace(*settings_, size, static_cast<double>(began.elapsed()) / 1000);
+        if (--busy_ == 0) Q_EMIT busyChanged({});
+        if (error && !(alive && dealt_with && dealt_with(error))) report(problem_of(error, doing));
+        // `done` may read on, and no exception may leave a queued call.
+        if (alive) guard(doing, [&] { done(!error); });
+    };
 }
 
 void AppContext::quietlyFor(int64_t account, QObject* receiver,
                             std::function<void(db::Store&)> work,
                             std::function<void(const std::exception_ptr&)> done, Lane lane) {
+    const auto with_store = [work = std::move(work), url = store_url_, user = user_, account] {
+        const std::unique_ptr<db::Store> own = db::open_store(url);
+        account != 0 ? own->act_for(account) : own->sign_out();
+        if (user && user->id == account)
+            if (const QString note = sessionProblem(own->accounts().find(user->id), *user);
+                !note.isEmpty())
+                throw Refusal(note);
+        work(*own);
+    };
+    inThread(receiver, with_store, std::move(done), lane);
+}
+
+void AppContext::inThread(QObject* receiver, std::function<void()> work,
+                          std::function<void(const std::exception_ptr&)> done, Lane lane) {
     const QPointer<QObject> alive(receiver);
     QThreadPool* pool = lane == Lane::kSaving ? &saves_ : QThreadPool::globalInstance();
-    pool->start([this, alive, work = std::move(work), done = std::move(done), url = store_url_,
-                 user = user_, account] {
+    pool->start([this, alive, work = std::move(work), done = std::move(done)] {
         std::exception_ptr error;
         try {
-            const std::unique_ptr<db::Store> own = db::open_store(url);
-            account != 0 ? own->act_for(account) : own->sign_out();
-            if (user && user->id == account)
-                if (const QString note = sessionProblem(own->accounts().find(user->id), *user);
-                    !note.isEmpty())
-                    throw Refusal(note);
-            work(*own);
+            work();
         } catch (...) {
             error = std::current_exception();
         }
@@ -80,6 +89,21 @@ void AppContext::quietlyFor(int64_t account, QObject* receiver,
         };
         QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
     });
+}
+
+void AppContext::restoreBackup(const QString& file, QObject* receiver,
+                               std::function<void(bool)> done) {
+    store_.reset();
+    restoring_ = true;
+    const QPointer<QObject> alive(receiver);
+    const auto restored = [this, alive, done = std::move(done)](bool in_place) {
+        restoring_ = false;
+        const bool open = in_place && openStore();
+        if (alive) done(open);
+    };
+    inThread(
+        this, [url = store_url_, from = file.toStdString()] { (void)db::restore_store(url, from); },
+        beginBusy(this, tr("Restoring the backup"), restored, {}, {}), Lane::kWork);
 }
 
 void AppContext::whenIdle(QObject* receiver, std::function<void()> act) {

@@ -57,6 +57,7 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
 }
 
 void MainWindow::begin() {
+    if (context_.restoring()) return showMissingStore();
     const auto again = [this] {
         notices_->closeAll();
         begin();

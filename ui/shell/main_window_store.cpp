@@ -51,13 +51,17 @@ void MainWindow::showMissingStore() {
     });
     add(tr("Restore a backup"), "secondary", "", "restore_backup", [this, go_on, filter] {
         const QString file = context_.askOpenFile(this, tr("Restore a backup"), filter);
-        if (file.isEmpty() || !context_.restoreBackup(file)) return;
-        go_on(true);
-        // The store that knew who was erased is always gone here.
-        notices_->showNotice(tr(
-            "The backup is in place. Whoever was erased since it was made is back, and so are the "
-            "data of participants who withdrew since: look at your list of requests, and erase "
-            "them again."));
+        if (file.isEmpty()) return;
+        context_.restoreBackup(file, this, [this, go_on](bool done) {
+            if (!done) return showMissingStore();
+            go_on(true);
+            // The store that knew who was erased is always gone here.
+            notices_->showNotice(
+                tr("The backup is in place. Whoever was erased since it was made is back, and so "
+                   "are the data of participants who withdrew since: look at your list of "
+                   "requests, and erase them again."));
+        });
+        shown_->setEnabled(false);
     });
     add(tr("Begin anew, without any data"), "danger", "", "begin_anew", [this, go_on] {
         go_on(confirm(this, tr("Begin with an empty store?"),
@@ -79,6 +83,7 @@ void MainWindow::showMissingStore() {
     row->addStretch();
     column->addLayout(row);
     column->addStretch(2);
+    blank->setEnabled(!context_.restoring());
     page_ = nullptr;
     shown_ = blank;
     content_->addWidget(blank);
