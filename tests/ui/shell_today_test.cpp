@@ -4,6 +4,7 @@
 
 #include <QApplication>
 
+#include "db/sql_connection.h"
 #include "shell_harness.h"
 #include "ui/shell/result_standing.h"
 #include "ui/shell/training.h"
