@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "db/store_context.h"
+
 namespace placode::db {
 namespace {
 

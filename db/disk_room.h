@@ -6,9 +6,9 @@
 
 #include <string>
 
-#include "db/store_context.h"
-
 namespace placode::db {
+
+struct StoreContext;
 
 /// Throws StoreError(kRefused) where the disk of `path` has less room than a copy of the store
 /// takes and a reserve: the store itself may lie on that disk, and has to go on. Of a folder that

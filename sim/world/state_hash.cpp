@@ -256,8 +256,8 @@ uint64_t state_hash(const State& state) noexcept {
     hash.each(placode_peak_cem43_min, placode_peak_c, placode_burned_m3, removed_m3,
               vapour_rate_m3_s, overheat_pause_s, burn_pause_s, idle_s);
     hash.without(time_s, slides, slides_refused, held_by, colour, separation, flood, gone_by_heat,
-                 loose_version, events, event_count, flags, workers, over_stretch, tether_known,
-                 placode_now_c, last_substeps);
+                 loose_version, events, event_count, flags, workers, scratch, over_stretch,
+                 tether_known, placode_now_c, last_substeps);
     return hash.value();
 }
 
