@@ -106,7 +106,7 @@ void part_plane(const Scene& scene, State& state) noexcept {
 double undermined_m(const Scene& scene, const State& state, int ray) noexcept {
     double reach = 0;
     for (const DissectionPlane::Stretch& s : scene.plane.rays[as_index(ray)].stretches) {
-        if (!is_parted(scene, state, s.face)) break;
+        if (!is_freed(scene, state, s.face)) break;
         reach = static_cast<double>(s.until_m);
     }
     return reach;
