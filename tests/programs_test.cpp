@@ -183,7 +183,7 @@ TEST_F(Programs, ErrorsAreOneJsonDocumentToo) {
 
 /// Scripts beside programs that are none: one records as placode-sim does, never over a file.
 TEST_F(Programs, AScriptThatWasBrokenOffGoesOn) {
-    for (const char* part : {"scripts", "build/release/bin", "data/tasks", "out", "set"})
+    for (const char* part : {"scripts", "build/release/bin", "data/tasks", "levels", "set"})
         fs::create_directories(file(part));
     for (const char* script : {"known_groups.sh", "replay_set.sh"})
         fs::copy(PLACODE_SOURCE_DIR "/scripts/" + std::string(script), file("scripts"));
@@ -196,24 +196,24 @@ TEST_F(Programs, AScriptThatWasBrokenOffGoesOn) {
     for (const char* program : {"placode-sim", "placodectl"})
         fs::permissions(file("build/release/bin/" + std::string(program)), fs::perms::owner_all);
     // What was left where power went.
-    for (const char* left : {"out/short-expert-1.placode.part", "set/short.part.placode"}) {
+    for (const char* left : {"levels/short-expert-1.placode.part", "set/short.part.placode"}) {
         write_text(file(left), "half");
         write_text(file(std::string(left) + "-journal"), "half");
     }
-    const Outcome levels = shell("sh scripts/known_groups.sh short out 1 1");
+    const Outcome levels = shell("sh scripts/known_groups.sh short levels 1 1");
     EXPECT_EQ(levels.status, 0) << levels.err;
     for (const char* level : {"expert", "intermediate", "novice"})
-        EXPECT_EQ(read_text(file("out/short-" + std::string(level) + "-1.placode")), "new\n");
+        EXPECT_EQ(read_text(file("levels/short-" + std::string(level) + "-1.placode")), "new\n");
     const Outcome recorded = shell("bash scripts/replay_set.sh record set");
     EXPECT_EQ(recorded.status, 0) << recorded.out << recorded.err;
     EXPECT_EQ(read_text(file("set/short.placode")), "new\n");
     // Nothing half is left, and what was whole is not made again.
-    for (const char* folder_of : {"out", "set"})
+    for (const char* folder_of : {"levels", "set"})
         for (const auto& one : fs::directory_iterator(file(folder_of)))
             EXPECT_THAT(one.path().string(), Not(HasSubstr(".part")));
-    write_text(file("out/short-expert-1.placode"), "kept\n");
-    EXPECT_EQ(shell("sh scripts/known_groups.sh short out 1 1").status, 0);
-    EXPECT_EQ(read_text(file("out/short-expert-1.placode")), "kept\n");
+    write_text(file("levels/short-expert-1.placode"), "kept\n");
+    EXPECT_EQ(shell("sh scripts/known_groups.sh short levels 1 1").status, 0);
+    EXPECT_EQ(read_text(file("levels/short-expert-1.placode")), "kept\n");
 }
 
 }  // namespace THIS_TEST
