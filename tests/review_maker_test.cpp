@@ -99,8 +99,8 @@ TEST(ReviewMaker, ReadsOneRecordingAtATimeAndNoneTwice) {
     ReviewMaker maker(kReviewBytes, kQuiet);
     std::atomic<int> reading{0}, together{0}, reads{0};
     const auto ask_from_eight = [&](const std::function<std::string(int)>& key) {
-        std::vector<std::jthread> pages;
         std::barrier at_once(8);
+        std::vector<std::jthread> pages;  // joined before what they wait at is gone
         for (int i = 0; i < 8; ++i)
             pages.emplace_back([&, i] {
                 at_once.arrive_and_wait();
