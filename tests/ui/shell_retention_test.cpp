@@ -103,6 +103,9 @@ void ShellRetentionTest::nothingIsDueYet() {
 
 void ShellRetentionTest::whatIsOverdueIsErasedAfterAQuestion() {
     ShellHarness& shell = *shell_;
+    // Before the row is made older behind the store's back: a backup is checked.
+    const QString copy = shell.path("before_the_erasure.db");
+    shell.owner().backup(copy.toStdString());
     age(old_, "2010-01-31T12:00:00.000Z");
     openData();
     QCOMPARE(shell.text("retention_due"),
@@ -116,8 +119,6 @@ void ShellRetentionTest::whatIsOverdueIsErasedAfterAQuestion() {
     shell.context().setLanguage("en");
     QVERIFY(shell.arrives(PageId::kStudyData));
     QVERIFY(shell.find<QLabel>("copies_left") == nullptr);
-    const QString copy = shell.path("before_the_erasure.db");
-    shell.owner().backup(copy.toStdString());
     shell.confirmNext();
     QVERIFY(shell.click("erase_overdue"));
     QVERIFY(QTest::qWaitFor([&] { return shell.find<QPushButton>("erase_overdue") == nullptr; },
