@@ -10,20 +10,20 @@ namespace placode::ui {
 /// Every thread for work in the background is taken until the end of its life.
 class AllThreadsTaken {
  public:
-    AllThreadsTaken() {
-        QThreadPool* pool = QThreadPool::globalInstance();
-        pool->waitForDone();
-        count_ = pool->maxThreadCount();
-        for (int i = 0; i < count_; ++i) pool->start([this] { go_.acquire(); });
+    explicit AllThreadsTaken(QThreadPool& pool) : pool_(pool) {
+        pool_.waitForDone();
+        count_ = pool_.maxThreadCount();
+        for (int i = 0; i < count_; ++i) pool_.start([this] { go_.acquire(); });
     }
     ~AllThreadsTaken() {
         go_.release(count_);
-        QThreadPool::globalInstance()->waitForDone();
+        pool_.waitForDone();
     }
     AllThreadsTaken(const AllThreadsTaken&) = delete;
     AllThreadsTaken& operator=(const AllThreadsTaken&) = delete;
 
  private:
+    QThreadPool& pool_;
     QSemaphore go_;
     int count_ = 0;
 };

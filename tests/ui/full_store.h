@@ -138,7 +138,7 @@ inline bool FullStore::fill(ShellHarness& shell) {
 /// Until what workers, device lists and layouts bring stands on the page.
 inline void settle(ShellHarness& shell) {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    (void)QTest::qWaitFor([] { return QThreadPool::globalInstance()->activeThreadCount() == 0; },
+    (void)QTest::qWaitFor([&] { return shell.context().workers().activeThreadCount() == 0; },
                           30000);
     (void)QTest::qWaitFor(
         [&] {

@@ -51,7 +51,7 @@ void ShellBusyTest::begin(bool fails) {
 void ShellBusyTest::anAttemptIsSavedBesideWorkThatTakesLong() {
     ShellHarness& shell = *shell_;
     const size_t before = shell.owner().attempts().list(0).size();
-    AllThreadsTaken taken;
+    AllThreadsTaken taken(shell.context().workers());
     begin();
     shell.window().visit({PageId::kTask, 0, "touch_targets", {}});
     QVERIFY(shell.arrives(PageId::kTask));
@@ -72,7 +72,7 @@ void ShellBusyTest::closingAsksWhileSomethingIsRunning() {
     shell.window().visit({PageId::kAccount, 0, {}, {}});
     QVERIFY(QTest::qWaitFor([&] { return !shell.context().busy(); }, 60000));
     {
-        AllThreadsTaken taken;
+        AllThreadsTaken taken(shell.context().workers());
         begin();
         shell.refuseNext();
         QVERIFY(!shell.window().close());
@@ -86,7 +86,7 @@ void ShellBusyTest::closingAsksWhileSomethingIsRunning() {
 void ShellBusyTest::whatFailedKeepsTheWindowOpen() {
     ShellHarness& shell = *shell_;
     {
-        AllThreadsTaken taken;
+        AllThreadsTaken taken(shell.context().workers());
         begin(true);
         shell.confirmNext();
         QVERIFY(!shell.window().close());
@@ -100,7 +100,7 @@ void ShellBusyTest::whatFailedKeepsTheWindowOpen() {
 void ShellBusyTest::theWindowClosesWhenTheWorkIsDone() {
     ShellHarness& shell = *shell_;
     {
-        AllThreadsTaken taken;
+        AllThreadsTaken taken(shell.context().workers());
         begin();
         shell.confirmNext();
         QVERIFY(!shell.window().close());

@@ -546,7 +546,7 @@ bool ShellEducatorTest::search(const QString& words) {
     return QTest::qWaitFor(
         [&] {
             const auto* said = dialog()->findChild<QLabel*>("search_said");
-            return QThreadPool::globalInstance()->activeThreadCount() == 0 &&
+            return shell_->context().workers().activeThreadCount() == 0 &&
                    !said->text().startsWith("Reading");
         },
         10000);

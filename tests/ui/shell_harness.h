@@ -294,8 +294,7 @@ class ShellHarness {
     void settleIn(ThemeKind theme) {
         context_->setTheme(theme);
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-        (void)QTest::qWaitFor(
-            [] { return QThreadPool::globalInstance()->activeThreadCount() == 0; }, 20000);
+        (void)QTest::qWaitFor([&] { return context_->workers().activeThreadCount() == 0; }, 20000);
         QCoreApplication::processEvents();
         // Lets layouts come to rest for a picture that somebody looks at; nothing depends on it.
         if (keepsPictures()) QTest::qWait(120);

@@ -192,8 +192,8 @@ void ShellHelpTest::searchOverEverythingOpensTheManual() {
     auto* dialog = shell.window().findChild<QDialog*>("search_box");
     auto* field = dialog->findChild<QLineEdit*>("search_text");
     QTest::keyClicks(field, "motion-bids");
-    QVERIFY(QTest::qWaitFor([] { return QThreadPool::globalInstance()->activeThreadCount() == 0; },
-                            10000));
+    QVERIFY(
+        QTest::qWaitFor([&] { return shell.context().workers().activeThreadCount() == 0; }, 10000));
     QTest::qWait(50);
     QCOMPARE(dialog->findChild<QListWidget*>("search_list")->count(), 1);
     QTest::keyClick(field, Qt::Key_Return);

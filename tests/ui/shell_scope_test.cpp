@@ -156,7 +156,7 @@ void ShellScopeTest::whatWasLeftHasNoPointsInTheComparison() {
 // The folder that the recordings are written to went with the page.
 void ShellScopeTest::aComparisonLeftWhileItReadsIsNoTrouble() {
     ShellHarness& shell = *shell_;
-    QThreadPool* pool = QThreadPool::globalInstance();
+    QThreadPool* pool = &shell.context().workers();
     pool->waitForDone();
     const int threads = pool->maxThreadCount();
     pool->setMaxThreadCount(1);

@@ -118,7 +118,7 @@ void ShellStoreTest::nobodyOpensTheStoreWhileABackupIsPutInPlace() {
     QVERIFY(asksForTheStore());
     shell_->open_this = copy;
     {
-        AllThreadsTaken taken;
+        AllThreadsTaken taken(shell_->context().workers());
         QVERIFY(shell_->click("restore_backup"));
         QVERIFY(QTest::qWaitFor([&] { return shell_->context().restoring(); }, 5000));
         QVERIFY2(!QFile::exists(file()), "nothing is done in this thread");

@@ -71,7 +71,7 @@ AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) 
 
 AppContext::~AppContext() {
     saves_.waitForDone();
-    QThreadPool::globalInstance()->waitForDone();
+    works_.waitForDone();
 }
 
 void AppContext::verifyAttempts() {

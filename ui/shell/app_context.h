@@ -84,6 +84,8 @@ class AppContext : public QObject {
     /// In the background, then opens the store; until `done` openStore() opens nothing.
     void restoreBackup(const QString& file, QObject* receiver, std::function<void(bool)> done);
     [[nodiscard]] bool restoring() const { return restoring_; }
+    /// Threads of work in the background; tests take them all.
+    [[nodiscard]] QThreadPool& workers() { return works_; }
     /// Another file from now on, also at the next start without --store.
     [[nodiscard]] bool chooseStore(const QString& file);
     /// The same for a centre's server; `address` without a password. What was open stays open when
@@ -252,6 +254,8 @@ class AppContext : public QObject {
     ScreenAwake awake_;
     std::unique_ptr<AttemptLauncher> launcher_;
     std::unique_ptr<ReplayQueue> replays_;
+    /// Not the pool of the process: Qt draws large pictures with that, and waits for it.
+    QThreadPool works_;  ///< Of Lane::kWork.
     QThreadPool saves_;  ///< Of Lane::kSaving: one at a time.
     int busy_ = 0;
     QString busy_with_;

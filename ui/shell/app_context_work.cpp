@@ -76,19 +76,19 @@ void AppContext::quietlyFor(int64_t account, QObject* receiver,
 void AppContext::inThread(QObject* receiver, std::function<void()> work,
                           std::function<void(const std::exception_ptr&)> done, Lane lane) {
     const QPointer<QObject> alive(receiver);
-    QThreadPool* pool = lane == Lane::kSaving ? &saves_ : QThreadPool::globalInstance();
-    pool->start([this, alive, work = std::move(work), done = std::move(done)] {
-        std::exception_ptr error;
-        try {
-            work();
-        } catch (...) {
-            error = std::current_exception();
-        }
-        const auto deliver = [alive, done, error] {
-            if (alive) done(error);
-        };
-        QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
-    });
+    (lane == Lane::kSaving ? saves_ : works_)
+        .start([this, alive, work = std::move(work), done = std::move(done)] {
+            std::exception_ptr error;
+            try {
+                work();
+            } catch (...) {
+                error = std::current_exception();
+            }
+            const auto deliver = [alive, done, error] {
+                if (alive) done(error);
+            };
+            QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
+        });
 }
 
 void AppContext::restoreBackup(const QString& file, QObject* receiver,

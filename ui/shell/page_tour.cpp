@@ -4,7 +4,6 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
-#include <QThreadPool>
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -120,8 +119,7 @@ std::vector<PageTime> time_pages(AppContext& context, MainWindow& window, int ru
             paint(window);
             shown.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
             used.push_back(processor_ms() - before_ms);
-            while (QThreadPool::globalInstance()->activeThreadCount() > 0 &&
-                   clock.elapsed() < kPageLimitMs)
+            while (context.workers().activeThreadCount() > 0 && clock.elapsed() < kPageLimitMs)
                 QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
             paint(window);
             one.complete_ms =
