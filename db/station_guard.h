@@ -39,8 +39,8 @@ inline constexpr const char* kHiddenColumns = "'password_hash', 'pin_hash'";
 /// sight, or it is changed before anybody has signed in. Then placode_guard.seal_parts() is asked.
 [[nodiscard]] bool server_seals(std::string_view kind);
 
-// db/station_guard_sql.cpp, ..._accounts_sql.cpp, ..._reading_sql.cpp, ..._attempts_sql.cpp, others:
-// statements, separated by lines "--".
+// db/station_guard_sql.cpp, ..._accounts_sql.cpp, ..._reading_sql.cpp, ..._attempts_sql.cpp,
+// others: statements, separated by lines "--".
 extern const char* const kGuardTables;
 extern const char* const kGuardChecksum;
 extern const char* const kGuardIdentity;

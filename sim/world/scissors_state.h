@@ -53,7 +53,8 @@ struct Scissors {
 template <class Visit>
 void fields(Of<Scissors> auto& s, Visit&& visit) {
     auto& [planned, planned_count, next, jaw_rad, start_rad, closing, sliding, slid_to_m, plane,
-           met_T, met_count, area_m2, placode_m2, depth_m, area_of, rest_sum, faces, tet, refused] = s;
+           met_T, met_count, area_m2, placode_m2, depth_m, area_of, rest_sum, faces, tet, refused] =
+        s;
     visit.state(planned, planned_count, next, jaw_rad, start_rad, closing, sliding, slid_to_m,
                 plane, met_T, met_count, area_m2, placode_m2, depth_m, area_of, rest_sum, faces,
                 tet, refused);
