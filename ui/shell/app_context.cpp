@@ -114,7 +114,7 @@ bool AppContext::knowsPassword(int64_t user_id) const {
     if (found == password_given_.end()) return false;
     // A clock that was set back does not make the hours longer.
     const qint64 since = found->second.at.secsTo(QDateTime::currentDateTimeUtc());
-    return since >= 0 && since < kPinHours * 3600;
+    return since >= 0 && since < qint64{kPinHours} * 3600;
 }
 
 void AppContext::require(db::Action action, db::Scope scope) const {
@@ -175,7 +175,7 @@ void AppContext::setStoreSetting(const QString& key, const QVariant& value) {
 }
 
 QString AppContext::lastFolder() const {
-    const QString last = settings_->value(kLastFolder).toString();
+    QString last = settings_->value(kLastFolder).toString();
     if (!last.isEmpty() && QFileInfo(last).isDir()) return last;
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     return QFileInfo(documents).isDir() ? documents : QDir::homePath();
@@ -188,8 +188,8 @@ void AppContext::rememberFolder(const QString& folder) {
 QString AppContext::askSaveFile(QWidget* parent, const QString& title, const QString& name,
                                 const QString& filter) {
     const QString proposal = QDir(lastFolder()).filePath(name);
-    const QString path =
-        ask_save_file_ ? ask_save_file_(window_of(parent), title, proposal, filter)
+    QString path = ask_save_file_
+                       ? ask_save_file_(window_of(parent), title, proposal, filter)
                        : QFileDialog::getSaveFileName(window_of(parent), title, proposal, filter);
     if (!path.isEmpty()) rememberFolder(QFileInfo(path).absolutePath());
     return path;
@@ -197,8 +197,8 @@ QString AppContext::askSaveFile(QWidget* parent, const QString& title, const QSt
 
 QString AppContext::askOpenFile(QWidget* parent, const QString& title, const QString& filter) {
     const QString folder = lastFolder();
-    const QString path =
-        ask_open_file_ ? ask_open_file_(window_of(parent), title, folder, filter)
+    QString path = ask_open_file_
+                       ? ask_open_file_(window_of(parent), title, folder, filter)
                        : QFileDialog::getOpenFileName(window_of(parent), title, folder, filter);
     if (!path.isEmpty()) rememberFolder(QFileInfo(path).absolutePath());
     return path;
@@ -206,9 +206,9 @@ QString AppContext::askOpenFile(QWidget* parent, const QString& title, const QSt
 
 QString AppContext::askFolder(QWidget* parent, const QString& title) {
     const QString last = lastFolder();
-    const QString folder = ask_save_file_
-                               ? ask_save_file_(window_of(parent), title, last, {})
-                               : QFileDialog::getExistingDirectory(window_of(parent), title, last);
+    QString folder = ask_save_file_
+                         ? ask_save_file_(window_of(parent), title, last, {})
+                         : QFileDialog::getExistingDirectory(window_of(parent), title, last);
     if (!folder.isEmpty()) rememberFolder(QFileInfo(folder).absoluteFilePath());
     return folder;
 }

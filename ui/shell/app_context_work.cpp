@@ -75,7 +75,8 @@ void AppContext::quietlyFor(int64_t account, QObject* receiver,
 
 void AppContext::inThread(QObject* receiver, std::function<void()> work,
                           std::function<void(const std::exception_ptr&)> done, Lane lane) {
-    const QPointer<QObject> alive(receiver);
+    // Shared: clang's analyzer follows copies of a QPointer into Qt and takes one for deleted.
+    const auto alive = std::make_shared<const QPointer<QObject>>(receiver);
     (lane == Lane::kSaving ? saves_ : works_)
         .start([this, alive, work = std::move(work), done = std::move(done)] {
             std::exception_ptr error;
@@ -85,7 +86,7 @@ void AppContext::inThread(QObject* receiver, std::function<void()> work,
                 error = std::current_exception();
             }
             const auto deliver = [alive, done, error] {
-                if (alive) done(error);
+                if (*alive) done(error);
             };
             QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
         });
