@@ -7,10 +7,8 @@
 
 #include <gmock/gmock.h>
 
-#include <functional>
-
-#include "db/statement_count.h"
 #include "reports/study_report.h"
+#include "tests/statement_cost.h"
 #include "tests/store_cases.h"
 
 using namespace placode;
@@ -18,12 +16,6 @@ using namespace placode::test;
 using testing::SizeIs;
 
 namespace THIS_TEST {
-
-int64_t cost_of(const std::function<void()>& work) {
-    const int64_t before = db::statements_sent();
-    work();
-    return db::statements_sent() - before;
-}
 
 /// As make_result(), of a person at the mouse.
 db::AttemptResult performed(int points) {

@@ -12,6 +12,7 @@
 #include <functional>
 
 #include "db/study_deviations.h"
+#include "tests/statement_cost.h"
 #include "tests/store_cases.h"
 
 using namespace placode;
@@ -21,12 +22,6 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 namespace THIS_TEST {
-
-int64_t cost_of(const std::function<void()>& work) {
-    const int64_t before = db::statements_sent();
-    work();
-    return db::statements_sent() - before;
-}
 
 class StatementCount : public StoreTest {
  protected:
