@@ -79,6 +79,12 @@ void split(const Scene& scene, State& state, int v, const Groups& groups) noexce
     }
 }
 
+/// True while there are spare vertices for one more face beside those that wait: each of its
+/// corners may need one. What is cut without them would count as cut and hang together still.
+bool has_room_to_cut(const State& state) noexcept {
+    return spares_left(state.body) >= state.separation.count + 3;
+}
+
 }  // namespace
 
 SeparationQueue::SeparationQueue(const Scene& scene)
@@ -90,10 +96,6 @@ void queue_separation(const Scene&, State& state, int vertex) noexcept {
     queue.waiting[vertex] = 1;
     const auto size = static_cast<int32_t>(queue.vertex.size());
     queue.vertex[(queue.head + queue.count++) % size] = vertex;
-}
-
-bool has_room_to_cut(const State& state) noexcept {
-    return spares_left(state.body) >= state.separation.count + 3;
 }
 
 bool cut_face(const Scene& scene, State& state, int tet, int f) noexcept {

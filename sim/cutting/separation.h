@@ -13,12 +13,9 @@ namespace placode::sim {
 struct Scene;
 struct State;
 
-/// True while there are spare vertices for one more face beside those that wait: each of its
-/// corners may need one. What is cut without them would count as cut and hang together still.
-[[nodiscard]] bool has_room_to_cut(const State& state) noexcept;
-
 /// Parts two living tets over the face of `tet` opposite to local vertex `f`. False when the face
-/// is boundary already, and, with kCutRefused among the flags, where has_room_to_cut() is false.
+/// is boundary already, and, with kCutRefused among the flags, where there are no spare vertices
+/// for it.
 bool cut_face(const Scene& scene, State& state, int tet, int f) noexcept;
 
 /// Looks at a vertex again (a tet around it went away).
