@@ -38,6 +38,18 @@ constexpr const char* kWithdraws =
     "placode_guard.need(4) AND placode_guard.need_own_word(withdrawn_by)";
 constexpr const char* kCorrects =
     "placode_guard.need(4) AND placode_guard.need_own_word(corrected_by)";
+constexpr const char* kChooses = "placode_guard.need(4) AND placode_guard.need_own_word(chosen_by)";
+constexpr const char* kEnters = "placode_guard.need(4) AND placode_guard.need_own_word(entered_by)";
+constexpr const char* kSupersedes =
+    "placode_guard.need(4) AND placode_guard.need_own_word(superseded_by)";
+constexpr const char* kNotes = "placode_guard.need(4) AND placode_guard.need_own_word(noted_by)";
+constexpr const char* kInvites =
+    "placode_guard.need(8) AND placode_guard.need_own_word(invited_by)";
+constexpr const char* kTrusts = "placode_guard.need(10) AND placode_guard.need_own_word(added_by)";
+constexpr const char* kKeepsNorms =
+    "placode_guard.need(2) AND placode_guard.need_own_word(added_by)";
+constexpr const char* kScoresAgain =
+    "placode_guard.need(2) AND placode_guard.need_own_word(scored_by)";
 constexpr const char* kKeepsTheGroup =
     "placode_guard.need_group(8, 2, group_id) AND placode_guard.need_person(8, 2, account_id, "
     "false)";
@@ -102,7 +114,7 @@ constexpr std::array kRules{
     TableRule{"persons", kSeesPersons, kAdministrator, kAdministrator, kAdministrator},
     TableRule{"account_pins", kSeesOwnOrAdministrator, kAdministrator, kAdministrator,
               kOwnOrAdministrator},
-    TableRule{"invitations", kSeesAdministrator, kAdministrator, kAdministrator, kAdministrator},
+    TableRule{"invitations", kSeesAdministrator, kInvites, kAdministrator, kAdministrator},
     TableRule{"erasure_requests", kSeesOwnOrAdministrator, kOwnOrAdministrator, kAdministrator,
               kAdministrator},
     TableRule{"training_groups", kSeesGroups, kTeachesOrAdministers, kAdministrator,
@@ -113,9 +125,9 @@ constexpr std::array kRules{
     TableRule{"exam_begins", kSeesOwnOrTeaches, "placode_guard.need_begin(account_id, begun_utc)",
               kNever, kAdministrator},
     TableRule{"certificates", kSeesOwnOrTeaches, kCertifies, kAdministrator, kAdministrator},
-    TableRule{"trusted_centres", kWhoIsIn, kTeachesOrAdministers, kAdministrator, kAdministrator},
+    TableRule{"trusted_centres", kWhoIsIn, kTrusts, kAdministrator, kAdministrator},
     TableRule{"centre_key", kWhoIsIn, kTeachesOrAdministers, kTeachesOrAdministers, kAdministrator},
-    TableRule{"norm_packs", kWhoIsIn, kEducator, kEducator, kAdministrator},
+    TableRule{"norm_packs", kWhoIsIn, kKeepsNorms, kEducator, kAdministrator},
     TableRule{"definitions", kWhoIsIn, "placode_guard.need_text(kind, published_by)", kNever,
               kNever},
     TableRule{"audit", kSeesAdministrator, kNever, kNever, kNever},
@@ -125,7 +137,7 @@ constexpr std::array kRules{
     TableRule{"attempt_reasons", kSeesPart, kSavesThePart, kNever, kErasesThePart},
     TableRule{"attempt_events", kSeesPart, kSavesThePart, kNever, kErasesThePart},
     TableRule{"recordings", kSeesPart, kSavesThePart, kNever, kErasesThePart},
-    TableRule{"attempt_scores", kSeesPart, kEducator, kNever, kErasesThePart},
+    TableRule{"attempt_scores", kSeesPart, kScoresAgain, kNever, kErasesThePart},
     TableRule{"attempt_score_metrics", kSeesScorePart, kEducator, kNever, kErasesTheScore},
     TableRule{"attempt_score_reasons", kSeesScorePart, kEducator, kNever, kErasesTheScore},
     TableRule{"attempt_comments", kSeesPart, "placode_guard.need_remark(author_id, attempt_id)",
@@ -140,14 +152,14 @@ constexpr std::array kRules{
     TableRule{"study_steps", kSeesSteps, kCoordinator, kCoordinator, kCoordinator},
     TableRule{"participants", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
     TableRule{"participant_states", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"participant_devices", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"participant_devices", kSeesStudies, kChooses, kCoordinator, kCoordinator, kChooses},
     TableRule{"withdrawals", kSeesStudies, kWithdraws, kCoordinator, kCoordinator, kWithdraws},
     TableRule{"consent_signatures", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
     TableRule{"answer_corrections", kSeesStudies, kCorrects, kCoordinator, kCoordinator},
-    TableRule{"second_entries", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"second_entries", kSeesStudies, kEnters, kCoordinator, kCoordinator},
     TableRule{"second_entry_items", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"superseded_steps", kSeesSteps, kCoordinator, kCoordinator, kCoordinator},
-    TableRule{"step_notes", kSeesStudies, kCoordinator, kCoordinator, kCoordinator},
+    TableRule{"superseded_steps", kSeesSteps, kSupersedes, kCoordinator, kCoordinator},
+    TableRule{"step_notes", kSeesStudies, kNotes, kCoordinator, kCoordinator},
     TableRule{"record_events", kSeesStudies, "placode_guard.need_event(event, by_login, by_name)",
               "placode_guard.need_blank(id, by_name, remark)", kAdministrator},
     TableRule{"study_allocations", kSeesStudies, kStaff, kStaff, kAdministrator},

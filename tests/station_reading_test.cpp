@@ -145,7 +145,7 @@ const std::vector<Write>& writes() {
          {Action::kReplay}},
         {"INSERT INTO attempt_scores (attempt_id, points, verdict, rubric_id, rubric_version, "
          "metric_set_version, preprocessing_version, scored_utc, scored_by) VALUES ({attempt}, "
-         "100, 1, 'x', 9, 1, 1, '', '')",
+         "100, 1, 'x', 9, 1, 1, '', 'user {me}')",
          {Action::kSetStandards}},
         {"INSERT INTO attempt_comments (attempt_id, author_id, time_s, comment, at_utc, "
          "removed_utc) VALUES ({attempt}, {me}, 1, 'x', '', '')",

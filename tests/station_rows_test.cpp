@@ -49,12 +49,30 @@ class StationRows : public StoreTest {
         }
     };
 
+    /// A statement that says who does it.
+    struct Row {
+        const char* login;
+        int64_t own, colleague;
+        std::string begin, end;  ///< About the number of the account.
+    };
+    void expect_own_names(const std::vector<Row>& rows) const;
+
     int64_t anna_ = 0;
 };
 
 INSTANTIATE_TEST_SUITE_P(Server, StationRows, testing::Values("Postgresql"), engine_name);
 
 constexpr const char* kMayNot = "you may not do this on the server";
+
+void StationRows::expect_own_names(const std::vector<Row>& rows) const {
+    for (const Row& each : rows) {
+        Pen pen(database, each.login);
+        EXPECT_EQ(pen.tried(each.begin + std::to_string(each.own) + each.end), "") << each.begin;
+        EXPECT_THAT(pen.tried(each.begin + std::to_string(each.colleague) + each.end),
+                    HasSubstr(kMayNot))
+            << each.begin;
+    }
+}
 
 // It would be the exam's, and nobody would simulate it again.
 TEST_P(StationRows, NoPracticeEndsAnExamThatWasBegun) {
@@ -127,42 +145,96 @@ TEST_P(StationRows, WhoGrantsAssignsCorrectsAndWithdrawsSaysSoInTheOwnName) {
     open()->studies().save_answers(answers);
     station_of("kate")->studies().withdraw("pilot", code, db::WithdrawalMode::kKeep, "asked");
     const std::string anna = std::to_string(anna_);
-    struct Row {
-        const char* login;
-        int64_t own, colleague;
-        std::string begin, end;  ///< Of the statement, about the number of the account.
-    };
-    for (const Row& each :
-         {Row{"eva", eva, ewa,
-              "INSERT INTO course_grants (account_id, course_id, stage_id, attempts, reason, "
-              "granted_by, granted_utc) VALUES (" +
-                  anna + ", 'x', 'x', 1, 'x', 'user ",
-              "', '')"},
-          Row{"eva", eva, ewa,
-              "INSERT INTO course_assignments (course_id, course_version, account_id, starts_utc, "
-              "due_utc, assigned_by, assigned_utc, ended_utc) VALUES ('x', 1, " +
-                  anna + ", '', '', 'user ",
-              "', '', '')"},
-          Row{"carl", carl, kate,
-              "INSERT INTO withdrawals (study_id, code, mode, reason, withdrawn_by, "
-              "withdrawn_utc) VALUES ('pilot', '" +
-                  other + "', 'erase', 'x', 'user ",
-              "', '')"},
-          // The row that is there is a colleague's; what it becomes is one's own.
-          Row{"carl", carl, kate, "UPDATE withdrawals SET mode = 'stop', withdrawn_by = 'user ",
-              "'"},
-          Row{"carl", carl, kate,
-              "INSERT INTO answer_corrections (answer_id, entry, item, old_answer, new_answer, "
-              "reason, corrected_by, at_utc) SELECT MAX(id), 1, 'x', '', '', 'x', 'user ",
-              "', '' FROM answers"}}) {
-        Pen pen(database, each.login);
-        EXPECT_EQ(pen.tried(each.begin + std::to_string(each.own) + each.end), "") << each.begin;
-        EXPECT_THAT(pen.tried(each.begin + std::to_string(each.colleague) + each.end),
-                    HasSubstr(kMayNot))
-            << each.begin;
-    }
+    expect_own_names(
+        {Row{"eva", eva, ewa,
+             "INSERT INTO course_grants (account_id, course_id, stage_id, attempts, reason, "
+             "granted_by, granted_utc) VALUES (" +
+                 anna + ", 'x', 'x', 1, 'x', 'user ",
+             "', '')"},
+         Row{"eva", eva, ewa,
+             "INSERT INTO course_assignments (course_id, course_version, account_id, starts_utc, "
+             "due_utc, assigned_by, assigned_utc, ended_utc) VALUES ('x', 1, " +
+                 anna + ", '', '', 'user ",
+             "', '', '')"},
+         Row{"carl", carl, kate,
+             "INSERT INTO withdrawals (study_id, code, mode, reason, withdrawn_by, "
+             "withdrawn_utc) VALUES ('pilot', '" +
+                 other + "', 'erase', 'x', 'user ",
+             "', '')"},
+         // The row that is there is a colleague's; what it becomes is one's own.
+         Row{"carl", carl, kate, "UPDATE withdrawals SET mode = 'stop', withdrawn_by = 'user ",
+             "'"},
+         Row{"carl", carl, kate,
+             "INSERT INTO answer_corrections (answer_id, entry, item, old_answer, new_answer, "
+             "reason, corrected_by, at_utc) SELECT MAX(id), 1, 'x', '', '', 'x', 'user ",
+             "', '' FROM answers"}});
     EXPECT_NO_THROW(station_of("carl")->studies().withdraw("pilot", code, db::WithdrawalMode::kStop,
                                                            "asked again"));
+}
+
+TEST_P(StationRows, WhoNotesChoosesEntersSupersedesInvitesAndTrustsSaysSoInTheOwnName) {
+    const int64_t carl = add("carl", db::Role::kCoordinator),
+                  kate = add("kate", db::Role::kCoordinator), eva = add("eva", db::Role::kEducator),
+                  ewa = add("ewa", db::Role::kEducator), ada = add("ada", db::Role::kAdministrator),
+                  adam = add("adam", db::Role::kAdministrator);
+    const std::string code = open()->studies().new_participant("pilot");
+    const std::string other = open()->studies().new_participant("pilot");
+    db::AnswerRecord answers;
+    answers.study_id = "pilot";
+    answers.participant = other;
+    answers.questionnaire_id = "sus";
+    answers.answers = {{"sus01", "4"}};
+    open()->studies().save_answers(answers);
+    (void)open()->attempts().save(anna_, make_result());
+    station_of("kate")->studies().set_participant_device("pilot", code, "mouse");
+    ASSERT_TRUE(raw().run(
+        "INSERT INTO study_steps (study_id, code, visit, step, state, attempt_id, answer_id, "
+        "detail, at_utc) VALUES ('pilot', '" +
+        code + "', 1, 'x', 'done', 0, 0, '', '')"));
+    const std::string device =
+        "INSERT INTO participant_devices (study_id, code, device, chosen_by, chosen_utc) VALUES "
+        "('pilot', '";
+    expect_own_names(
+        {{"carl", carl, kate,
+          "INSERT INTO step_notes (study_id, code, visit, step, note, noted_by, at_utc) VALUES "
+          "('pilot', '" +
+              code + "', 1, 'x', 'x', 'user ",
+          "', '')"},
+         {"carl", carl, kate, device + other + "', 'mouse', 'user ", "', '')"},
+         // The choice that is there is a colleague's; what it becomes is one's own.
+         {"carl", carl, kate, device + code + "', 'gamepad', 'user ",
+          "', '') ON CONFLICT (study_id, code) DO UPDATE SET device = excluded.device, chosen_by "
+          "= excluded.chosen_by"},
+         {"carl", carl, kate,
+          "UPDATE participant_devices SET device = 'gamepad', chosen_by = 'user ", "'"},
+         {"carl", carl, kate,
+          "INSERT INTO second_entries (answer_id, entered_by, at_utc) SELECT MAX(id), 'user ",
+          "', '' FROM answers"},
+         {"carl", carl, kate,
+          "INSERT INTO superseded_steps (step_id, reason, superseded_by, superseded_utc) SELECT "
+          "MAX(id), 'x', 'user ",
+          "', '' FROM study_steps"},
+         {"ada", ada, adam,
+          "INSERT INTO invitations (code_hash, roles, note, invited_by, made_utc, expires_utc, "
+          "used_utc) VALUES ('x', 8, '', 'user ",
+          "', '', '2099-01-01', '')"},
+         {"eva", eva, ewa,
+          "INSERT INTO trusted_centres (public_key, centre, added_by, added_utc) VALUES ('x', 'x', "
+          "'user ",
+          "', '')"},
+         {"eva", eva, ewa,
+          "INSERT INTO norm_packs (task_id, centre, content, signature, public_key, in_use, "
+          "added_by, added_utc) VALUES ('x', 'x', '', 'x', 'x', 0, 'user ",
+          "', '')"},
+         {"eva", eva, ewa,
+          "INSERT INTO attempt_scores (attempt_id, points, verdict, rubric_id, rubric_version, "
+          "metric_set_version, preprocessing_version, scored_utc, scored_by) SELECT MAX(id), 100, "
+          "0, 'x', 9, 1, 1, '', 'user ",
+          "' FROM attempts"}});
+    // Nor another device under the colleague's name, which would be left as it is.
+    EXPECT_THAT(Pen(database, "carl").tried("UPDATE participant_devices SET device = 'gamepad'"),
+                HasSubstr(kMayNot));
+    EXPECT_NO_THROW(station_of("carl")->studies().set_participant_device("pilot", code, "gamepad"));
 }
 
 // What it certifies is looked up again where it is shown (exam_begins_test); who issued it and when
