@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "db/records.h"
+#include "db/store_check.h"
 
 namespace placode::db {
 
@@ -69,7 +70,7 @@ class Attempts {
     void set_replay(int64_t attempt_id, ReplayState state, const Said& difference = {});
     /// Adds what is damaged to `problems`, for Store::check(). Reads page by page, and holds one
     /// recording at a time.
-    void check_recordings(std::vector<std::string>& problems);
+    void check_recordings(std::vector<std::string>& problems, const CheckPace& pace = {});
 
     // attempts_rescores.cpp
     /// Keeps a further score beside the first one. Throws kConflict when the attempt has one under

@@ -101,7 +101,7 @@ void Attempts::extract_recording(int64_t attempt_id, const std::string& path) {
                                                  "); choose another place");
 }
 
-void Attempts::check_recordings(std::vector<std::string>& problems) {
+void Attempts::check_recordings(std::vector<std::string>& problems, const CheckPace& pace) {
     context_.need(Action::kBackup);
     for (const auto& [first, last] : recording_pages(connection_)) {
         Statement query(connection_,
@@ -109,6 +109,7 @@ void Attempts::check_recordings(std::vector<std::string>& problems) {
                         "attempt_id BETWEEN ? AND ? ORDER BY attempt_id");
         query.run(first, last);
         while (query.next()) {
+            if (pace) pace(CheckProgress::Step::kRecordings);
             const std::optional<std::string> why = damage_of(
                 query.integer("size_bytes"), query.text("checksum"), query.bytes("content"));
             if (why)

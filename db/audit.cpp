@@ -214,9 +214,9 @@ void Audit::check_head(const TrailHead& head, std::vector<std::string>& problems
                            "anew since then");
 }
 
-void Audit::check_chain(std::vector<std::string>& problems) {
+void Audit::check_chain(std::vector<std::string>& problems, const CheckPace& pace) {
     context_.need(Action::kBackup);
-    check_trail(context_, problems);
+    check_trail(context_, problems, pace);
 }
 
 }  // namespace placode::db

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "db/records.h"
+#include "db/store_check.h"
 #include "db/trail_head.h"
 
 namespace placode::db {
@@ -70,7 +71,7 @@ class Audit {
     /// Adds to `problems` what this trail does not hold of an earlier end of it.
     void check_head(const TrailHead& head, std::vector<std::string>& problems);
     /// Adds what does not fit (db/audit_check.h) to `problems`, for Store::check().
-    void check_chain(std::vector<std::string>& problems);
+    void check_chain(std::vector<std::string>& problems, const CheckPace& pace = {});
 
  private:
     StoreContext& context_;

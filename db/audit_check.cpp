@@ -134,9 +134,10 @@ std::vector<FollowingEntry> proved_trust(StoreContext& context) {
 
 class TrailCheck {
  public:
-    TrailCheck(StoreContext& context, std::vector<std::string>& problems)
+    TrailCheck(StoreContext& context, std::vector<std::string>& problems, const CheckPace& pace)
         : context_(context),
           problems_(problems),
+          pace_(pace),
           trusted_(trusted_stations(context)),
           heads_(context.station.heads()) {
         for (const SignedEntry& each :
@@ -150,7 +151,10 @@ class TrailCheck {
         {
             Statement query(context_.connection, std::string(kSignedEntries) + "ORDER BY id");
             query.run();
-            while (query.next()) follow(read_entry(query));
+            while (query.next()) {
+                if (pace_) pace_(CheckProgress::Step::kTrail);
+                follow(read_entry(query));
+            }
         }
         if (bad_ > kMostNamed)
             problems_.push_back("audit: " + std::to_string(bad_ - kMostNamed) +
@@ -219,7 +223,9 @@ class TrailCheck {
 
     void checkObjects() {
         if (sealed_.empty()) return;  // from before there were seals
-        const auto now = all_seals(context_.connection);
+        const auto now = all_seals(context_.connection, [this] {
+            if (pace_) pace_(CheckProgress::Step::kObjects);
+        });
         for (const auto& [object, seal] : sealed_) {
             const auto there = now.find(object);
             if (there == now.end() ? seal != kNoObject : seal != there->second)
@@ -241,6 +247,7 @@ class TrailCheck {
 
     StoreContext& context_;
     std::vector<std::string>& problems_;
+    const CheckPace& pace_;
     std::set<std::string> trusted_, reported_, set_aside_;
     std::map<SealedObject, std::string> sealed_;
     std::string previous_;
@@ -292,9 +299,9 @@ std::string entry_to_set_aside(StoreContext& context, int64_t entry) {
     return whole_entry(found.front());
 }
 
-void check_trail(StoreContext& context, std::vector<std::string>& problems) {
+void check_trail(StoreContext& context, std::vector<std::string>& problems, const CheckPace& pace) {
     const Snapshot snapshot(context.connection);
-    TrailCheck(context, problems).run();
+    TrailCheck(context, problems, pace).run();
 }
 
 }  // namespace placode::db

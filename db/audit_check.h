@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "db/store_check.h"
+
 namespace placode::db {
 
 struct StoreContext;
@@ -34,6 +36,6 @@ struct StoreContext;
 /// program. One that does not fit is named, its word is not taken, and the others are looked at
 /// all the same; one that was set aside is not named any more. In one snapshot: what others write
 /// meanwhile is not seen. Throws StoreError.
-void check_trail(StoreContext& context, std::vector<std::string>& problems);
+void check_trail(StoreContext& context, std::vector<std::string>& problems, const CheckPace& pace);
 
 }  // namespace placode::db

@@ -95,7 +95,7 @@ std::string part_text(size_t number, const std::string& rows, bool is_checksum) 
 }
 
 void add_part(Connection& connection, const SealKind& kind, size_t number,
-              std::map<SealedObject, std::string>& texts) {
+              std::map<SealedObject, std::string>& texts, const std::function<void()>& pace) {
     const SealPart& part = kind.parts[number];
     const size_t keys = key_columns(part);
     const char* const summed = checksum_function(connection, part);
@@ -115,6 +115,7 @@ void add_part(Connection& connection, const SealKind& kind, size_t number,
     };
     std::vector<std::string> key(keys);
     while (query.next()) {
+        if (pace) pace();
         for (size_t i = 0; i < keys; ++i) key[i] = query.text(static_cast<int>(i));
         if (key != object.key) {
             finish();
@@ -161,12 +162,13 @@ std::string seal_of(Connection& connection, const SealedObject& object) {
     return checksum_hex(text);
 }
 
-std::map<SealedObject, std::string> all_seals(Connection& connection) {
+std::map<SealedObject, std::string> all_seals(Connection& connection,
+                                              const std::function<void()>& pace) {
     std::map<SealedObject, std::string> seals;
     for (const SealKind& kind : seal_kinds()) {
         std::map<SealedObject, std::string> texts;
         for (size_t number = 0; number < kind.parts.size(); ++number)
-            add_part(connection, kind, number, texts);
+            add_part(connection, kind, number, texts, pace);
         for (auto& [object, text] : texts) text = checksum_hex(text);
         seals.merge(texts);
     }

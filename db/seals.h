@@ -10,6 +10,7 @@
 // A checksum holds an account's password hash with its random salt, so that a name cannot be
 // guessed from it once the account was erased.
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -35,7 +36,9 @@ inline constexpr const char* kNoObject = "-";  ///< The seal of what is not ther
 [[nodiscard]] std::string seal_of(Connection& connection, const SealedObject& object);
 
 /// Of all objects there are, one pass over each table.
-[[nodiscard]] std::map<SealedObject, std::string> all_seals(Connection& connection);
+/// @param pace called before each row; may throw, to stop
+[[nodiscard]] std::map<SealedObject, std::string> all_seals(Connection& connection,
+                                                            const std::function<void()>& pace = {});
 
 /// An object's seal before and after a change. Both, so that what somebody edited in between shows
 /// even when the program changes the same object later.

@@ -200,6 +200,31 @@ std::string sqlite_integrity_problem(Connection& connection) {
     return answer == "ok" ? "" : answer;
 }
 
+InterruptOn::InterruptOn(Connection& connection, std::function<bool()> stop)
+    : stop_(std::move(stop)) {
+    sqlite3* const file = connection.sqlite_handle();
+    if (file == nullptr || !stop_) return;
+    asks_ = std::thread([this, file] {
+        constexpr std::chrono::milliseconds kBetween{50};
+        std::unique_lock lock(mutex_);
+        do {
+            if (!stop_()) continue;
+            stopped_ = true;
+            sqlite3_interrupt(file);  // The statement that runs now; the next one next time.
+        } while (!ended_.wait_for(lock, kBetween, [this] { return over_; }));
+    });
+}
+
+InterruptOn::~InterruptOn() {
+    if (!asks_.joinable()) return;
+    {
+        const std::lock_guard lock(mutex_);
+        over_ = true;
+    }
+    ended_.notify_one();
+    asks_.join();
+}
+
 constexpr std::array<const char*, 4> kFilesOfSqlite{"", "-wal", "-shm", "-journal"};
 
 void remove_sqlite_file(const std::string& path) {

@@ -3,7 +3,12 @@
 #pragma once
 // What only an embedded store has: a file that can be missing, foreign, damaged or copied.
 
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
 #include <string>
+#include <thread>
 
 #include "db/sql_connection.h"
 
@@ -33,6 +38,28 @@ void claim_sqlite_file(Connection& connection);
 
 /// First problem that SQLite's integrity check finds, or "".
 [[nodiscard]] std::string sqlite_integrity_problem(Connection& connection);
+
+/// While it lives, a statement on a file ends with an error soon after `stop` said so, which a
+/// thread of its own asks: what SQLite asks between its steps, as sqlite3_progress_handler, is not
+/// asked in the long one of an integrity check (3.40). Not over the end of a transaction, which
+/// must not be stopped. On a server it does nothing.
+class InterruptOn {
+ public:
+    InterruptOn(Connection& connection, std::function<bool()> stop);
+    ~InterruptOn();  ///< Has asked at least once.
+    InterruptOn(const InterruptOn&) = delete;
+    InterruptOn& operator=(const InterruptOn&) = delete;
+
+    [[nodiscard]] bool stopped() const noexcept { return stopped_; }
+
+ private:
+    std::function<bool()> stop_;
+    std::atomic<bool> stopped_{false};
+    std::mutex mutex_;
+    std::condition_variable ended_;
+    bool over_ = false;
+    std::thread asks_;
+};
 
 /// Behind the name of a copy: it is being written; it did not pass its check. Behind that of a
 /// store: a backup that is about to take its place.

@@ -199,34 +199,6 @@ void Store::sign_out() {
 
 std::string Store::url() const { return context_->connection.url().shown; }
 
-std::vector<std::string> Store::check() {
-    Connection& connection = context_->connection;
-    connection.begin_operation("check");
-    context_->need(Action::kBackup);
-    std::vector<std::string> problems;
-    if (connection.is_sqlite()) {
-        const std::string problem = sqlite_integrity_problem(connection);
-        if (!problem.empty()) problems.push_back("file: " + problem);
-        const std::string other = foreign_object(connection, context_->options.migrations);
-        if (!other.empty())
-            problems.push_back("schema: it holds " + other +
-                               ", which Placode did not make; have it taken out, until then there "
-                               "is no backup and no update");
-        Statement keys(connection, "PRAGMA foreign_key_check");
-        keys.run();
-        if (keys.next())
-            problems.push_back("references: a row of " + keys.text("table") +
-                               " refers to a missing " + keys.text("parent"));
-    }
-    try {
-        audit_.check_chain(problems);
-        attempts_.check_recordings(problems);
-    } catch (const StoreError& error) {
-        problems.emplace_back(error.what());
-    }
-    return problems;
-}
-
 std::vector<std::string> Store::role_problems() {
     context_->connection.begin_operation("check");
     context_->need(Action::kBackup);

@@ -5,6 +5,7 @@
 // centre, one code over Qt Sql. One Store per thread. Every change is one transaction.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "db/norms.h"
 #include "db/records.h"
 #include "db/reviews.h"
+#include "db/store_check.h"
 #include "db/store_error.h"
 #include "db/store_move.h"
 #include "db/store_options.h"
@@ -67,6 +69,8 @@ class Store final {
     [[nodiscard]] Audit& audit() noexcept { return audit_; }
 
     std::vector<std::string> check();  ///< Problems found; empty = sound.
+    /// The same, to be stopped on its way. nullopt: it was, and nothing is known of the store.
+    [[nodiscard]] std::optional<std::vector<std::string>> check(const CheckOptions& options);
     /// Why the log-in of a centre's server can do more than a station should (db/station_role.h).
     [[nodiscard]] std::vector<std::string> role_problems();
     /// On a server, with the log-in of the tables' owner: gives the group for stations its rights.

@@ -36,7 +36,9 @@ class StoreMove {
         place_.to = report_.to = place_name(to);
     }
 
-    MoveReport run(const std::function<std::vector<std::string>()>& check) {
+    using Check = std::function<std::vector<std::string>(const CheckOptions&)>;
+
+    MoveReport run(const Check& check) {
         from_.begin_operation("move");
         needMovable();
         MoveTarget target(to_, place_.store, source_.options);
@@ -47,7 +49,7 @@ class StoreMove {
         if (options_.dry_run) return report_;
         try {
             tell(Step::kCheckHere);
-            needSound(check(), from_);
+            needSound(check(stoppedIn(Step::kCheckHere)), from_);
             from_.begin_operation("move");
             work(target);
         } catch (const Stopped&) {
@@ -139,7 +141,7 @@ class StoreMove {
         copy(there.connection);
         compare(there.connection);
         tell(Step::kCheckThere);
-        const auto problems = store.check();
+        const auto problems = store.check(stoppedIn(Step::kCheckThere)).value();
         there.connection.begin_operation("move to");
         if (!problems.empty()) throwAway(there.connection, problems.front());
         UnitOfWork work(there.connection);
@@ -213,6 +215,11 @@ class StoreMove {
             throw Stopped{};
     }
 
+    /// Of a check that takes long.
+    [[nodiscard]] CheckOptions stoppedIn(Step step) {
+        return {{}, [this, step](const CheckProgress&) { tell(step); }};
+    }
+
     StoreContext& source_;
     Connection& from_;
     StoreUrl to_;
@@ -228,7 +235,9 @@ class StoreMove {
 MoveReport Store::move_to(const std::string& url, const MoveOptions& options) {
     context_->connection.begin_operation("move");
     context_->need(Action::kBackup);
-    return StoreMove(*context_, parse_store_url(url), options).run([this] { return check(); });
+    return StoreMove(*context_, parse_store_url(url), options).run([this](const CheckOptions& how) {
+        return check(how).value();
+    });
 }
 
 std::optional<MoveReport> finish_move(const std::string& from_url, const std::string& to_url) {

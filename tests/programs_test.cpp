@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "tests/programs_fixture.h"
+#include "tests/stopped_program.h"
 
 using namespace placode;
 using namespace placode::test;
@@ -132,6 +133,26 @@ TEST_F(Programs, ALockedStoreIsNamedAndUnchanged) {
     sqlite3_exec(other, "ROLLBACK", nullptr, nullptr, nullptr);
     sqlite3_close(other);
     EXPECT_THAT(ctl("user list").out, Not(HasSubstr("deactivated")));
+}
+
+TEST_F(Programs, ACheckThatIsAskedToStopSaysNothingOfTheStore) {
+    add_user("anna", "trainee");
+    sqlite3* opened = nullptr;
+    ASSERT_EQ(sqlite3_open(store.c_str(), &opened), SQLITE_OK);
+    // A trail of seconds; none of these entries fits.
+    EXPECT_EQ(sqlite3_exec(opened,
+                           "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i "
+                           "< 600000) INSERT INTO audit (at_utc, actor, action, object, detail, "
+                           "chain) SELECT '', '', '', '', '', '' FROM n",
+                           nullptr, nullptr, nullptr),
+              SQLITE_OK);
+    sqlite3_close(opened);
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const Outcome ended = stopped(folder, {"--store", "sqlite:" + store, "check"}, signal);
+        EXPECT_EQ(ended.status, 1) << signal;
+        EXPECT_THAT(ended.err, HasSubstr("check: stopped; whether the store is sound is not known"))
+            << signal;
+    }
 }
 
 TEST_F(Programs, ADamagedStoreIsLeftAsItIsAndABackupTakesItsPlace) {

@@ -10,6 +10,7 @@
 #include <QSqlQuery>
 #include <QXmlStreamReader>
 
+#include "all_threads_taken.h"
 #include "assessment/metrics.h"
 #include "curriculum/definitions.h"
 #include "curriculum/questionnaire.h"
@@ -286,6 +287,16 @@ void ShellFlowTest::administratorChecksBacksUpAndReadsTheAudit() {
     QVERIFY(shell.signIn("ada", "correct horse"));
     QVERIFY(shell.click("rail_health"));
     QVERIFY(shell.arrives(PageId::kHealth));
+    {
+        // As if it took as long as a large store takes.
+        AllThreadsTaken taken(shell.context().workers());
+        QVERIFY(shell.click("check_store"));
+        QVERIFY2(!shell.find<QPushButton>("check_store")->isVisible(), "one at a time");
+        QVERIFY(shell.click("cancel_check"));
+    }
+    QVERIFY(
+        QTest::qWaitFor([&] { return shell.text("check_outcome").contains("cancelled"); }, 10000));
+    QVERIFY(!shell.find<QPushButton>("cancel_check")->isVisible());
     QVERIFY(shell.click("check_store"));
     QVERIFY(QTest::qWaitFor([&] { return shell.text("check_outcome").contains("Sound"); }, 10000));
     shell.save_as = shell.path("copy.db");

@@ -14,6 +14,7 @@
 #include "db/erasure.h"
 #include "db/store_url.h"
 #include "ui/cli/centre_passphrase.h"
+#include "ui/cli/progress.h"
 #include "ui/cli/scratch_folder.h"
 #include "ui/cli/session.h"
 
@@ -23,10 +24,36 @@ namespace {
 using db::Action;
 using db::Scope;
 
+std::string progress_words(const db::CheckProgress& at) {
+    constexpr std::array kSteps{"the file", "the audit trail: entry ",
+                                "what the trail says of the store: row ", "recordings: number "};
+    const bool counts = at.step != db::CheckProgress::Step::kFile;
+    return std::string("checking ") + kSteps[static_cast<size_t>(at.step)] +
+           (counts ? std::to_string(at.done + 1) : "");
+}
+
+/// Says on a terminal how far it is; Ctrl+C ends it.
+std::vector<std::string> problems_of(db::Store& store) {
+    const CancelOn cancel{SIGINT, SIGTERM};
+    struct Cleared {
+        ~Cleared() { clear_progress(); }
+    };
+    std::optional<std::vector<std::string>> problems;
+    {
+        const Cleared cleared;
+        problems = store.check({CancelOn::requested, [](const db::CheckProgress& at) {
+                                    show_progress(progress_words(at));
+                                }});
+    }
+    if (!problems)
+        throw std::runtime_error("check: stopped; whether the store is sound is not known");
+    return *problems;
+}
+
 int check(const Context& context, const std::vector<std::string>& heads) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kBackup, Scope::kOther);
-    auto problems = session.store().check();
+    auto problems = problems_of(session.store());
     for (const std::string& head : heads)
         session.store().audit().check_head(db::read_trail_head(head), problems);
     std::string text;

@@ -5,7 +5,9 @@
 #include <QDateTime>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <atomic>
 #include <memory>
+#include <optional>
 
 #include "ui/shell/daily_backup_card.h"
 #include "ui/shell/details.h"
@@ -30,6 +32,13 @@ class HealthPage : public Page {
         column->addWidget(programsCard());
         column->addStretch();
     }
+
+    /// Nobody would hear what a check that goes on has found.
+    ~HealthPage() override {
+        if (stop_) *stop_ = true;
+    }
+    HealthPage(const HealthPage&) = delete;
+    HealthPage& operator=(const HealthPage&) = delete;
 
     [[nodiscard]] QString title() const override { return tr("Backup and health"); }
 
@@ -66,6 +75,15 @@ class HealthPage : public Page {
         check->setObjectName("check_store");
         connect(check, &QPushButton::clicked, this, [this] { this->check(); });
         layout->addWidget(check, 0, Qt::AlignLeft);
+        check_ = check;
+        cancel_ = make_button(context_, tr("Cancel the check"), "secondary", "close");
+        cancel_->setObjectName("cancel_check");
+        connect(cancel_, &QPushButton::clicked, this, [this] {
+            *stop_ = true;
+            cancel_->setEnabled(false);
+        });
+        cancel_->hide();
+        layout->addWidget(cancel_, 0, Qt::AlignLeft);
         return make_card(layout);
     }
 
@@ -123,25 +141,42 @@ class HealthPage : public Page {
     }
 
     void check() {
-        auto problems = std::make_shared<std::vector<std::string>>();
+        using Problems = std::optional<std::vector<std::string>>;
+        auto problems = std::make_shared<Problems>();
+        stop_ = std::make_shared<std::atomic<bool>>(false);
+        check_->hide();
+        cancel_->setEnabled(true);
+        cancel_->show();
         context_.background(
             this, tr("Checking the store"),
-            [problems](db::Store& store) { *problems = store.check(); },
+            [problems, stop = stop_](db::Store& store) {
+                *problems = store.check({[stop] { return stop->load(); }, {}});
+            },
             [this, problems](bool done) {
+                cancel_->hide();
+                check_->show();
+                if (done && !*problems)
+                    return say(tr("The check was cancelled. It has not said whether the store is "
+                                  "sound."),
+                               "", {});
                 QStringList lines, exact;
-                for (const std::string& problem : *problems) {
+                for (const std::string& problem : problems->value_or(std::vector<std::string>{})) {
                     lines << "• " + health_problem(qstr(problem)).said();
                     exact << qstr(problem);
                 }
-                problems_->setText(exact.join("\n"));
-                outcome_->setProperty("role", !done || !lines.isEmpty() ? "critical" : "good");
-                outcome_->style()->unpolish(outcome_);
-                outcome_->style()->polish(outcome_);
-                outcome_->setText(!done ? tr("The check could not be finished.")
-                                  : lines.isEmpty()
-                                      ? tr("✓ Sound: no problem found.")
-                                      : tr("Problems found:") + "\n" + lines.join("\n"));
+                say(!done             ? tr("The check could not be finished.")
+                    : lines.isEmpty() ? tr("✓ Sound: no problem found.")
+                                      : tr("Problems found:") + "\n" + lines.join("\n"),
+                    !done || !lines.isEmpty() ? "critical" : "good", exact);
             });
+    }
+
+    void say(const QString& outcome, const char* role, const QStringList& exact) {
+        problems_->setText(exact.join("\n"));
+        outcome_->setProperty("role", role);
+        outcome_->style()->unpolish(outcome_);
+        outcome_->style()->polish(outcome_);
+        outcome_->setText(outcome);
     }
 
     QWidget* backupCard() {
@@ -205,6 +240,8 @@ class HealthPage : public Page {
 
     QLabel *outcome_ = nullptr, *last_ = nullptr;
     Details* problems_ = nullptr;
+    QPushButton *check_ = nullptr, *cancel_ = nullptr;
+    std::shared_ptr<std::atomic<bool>> stop_;  ///< Of the check that began last.
     QWidget* clear_key_ = nullptr;
 };
 

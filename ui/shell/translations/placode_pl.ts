@@ -2283,6 +2283,14 @@
         <translation>Sprawdzanie bazy</translation>
     </message>
     <message>
+        <source>Cancel the check</source>
+        <translation>Przerwij sprawdzanie</translation>
+    </message>
+    <message>
+        <source>The check was cancelled. It has not said whether the store is sound.</source>
+        <translation>Sprawdzanie przerwano. Nie wiadomo, czy baza jest w porządku.</translation>
+    </message>
+    <message>
         <source>The check could not be finished.</source>
         <translation>Nie udało się dokończyć sprawdzenia.</translation>
     </message>
