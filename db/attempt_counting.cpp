@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "curriculum/machine_speed.h"
 #include "db/said.h"
@@ -68,16 +67,13 @@ void need_same_rules(const std::string& what, const AttemptRecord& a, const Atte
 
 std::vector<AttemptRecord> other_attempts(Store& store, const AttemptRecord& attempt) {
     if (attempt.study.study.empty()) return store.attempts().list(attempt.user_id, attempt.task_id);
-    std::set<int64_t> own;
+    std::vector<int64_t> own{attempt.id};
     for (const StepRecord& step : store.studies().steps(attempt.study.study))
         if (step.participant == attempt.study.participant && step.attempt_id != 0)
-            own.insert(step.attempt_id);
-    own.insert(attempt.id);
+            own.push_back(step.attempt_id);
     std::vector<AttemptRecord> list;
-    for (const int64_t id : own) {
-        AttemptRecord each = store.attempts().detail(id).record;
+    for (auto& [id, each] : store.attempts().records(own))
         if (each.task_id == attempt.task_id) list.push_back(std::move(each));
-    }
     return list;
 }
 

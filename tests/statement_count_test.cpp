@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 
+#include "db/attempt_counting.h"
 #include "db/study_deviations.h"
 #include "tests/statement_cost.h"
 #include "tests/store_cases.h"
@@ -52,17 +53,21 @@ class StatementCount : public StoreTest {
     }
     /// Each with a participant of its own, and one attempt.
     void add_participants(const std::string& study, int n) {
-        for (int i = 0; i < n; ++i) {
-            db::AttemptResult result = make_result();
-            result.events.front().kind = sim::EventKind::kPaused;
-            result.study = {study, owner->studies().new_participant(study)};
-            db::StepRecord step;
-            step.study_id = study;
-            step.participant = result.study.participant;
-            step.step = "run";
-            step.attempt_id = owner->attempts().save(coach, result);
-            owner->studies().record_step(step);
-        }
+        for (int i = 0; i < n; ++i)
+            (void)add_procedure(study, owner->studies().new_participant(study), "run");
+    }
+    int64_t add_procedure(const std::string& study, const std::string& code,
+                          const std::string& name, const std::string& task = "diathermy_ring") {
+        db::AttemptResult result = make_result(task);
+        result.events.front().kind = sim::EventKind::kPaused;
+        result.study = {study, code};
+        db::StepRecord step;
+        step.study_id = study;
+        step.participant = code;
+        step.step = name;
+        step.attempt_id = owner->attempts().save(coach, result);
+        owner->studies().record_step(step);
+        return step.attempt_id;
     }
 
     std::unique_ptr<db::Store> owner, store;
@@ -159,6 +164,26 @@ TEST_P(StatementCount, DeviationsOfManyParticipantsCostAsMuchAsOfTwo) {
     EXPECT_EQ(cost_of([&] { found = db::study_deviations(*store, "many"); }), of_two);
     const auto paused = [](const auto& each) { return each.kind == db::DeviationKind::kPaused; };
     EXPECT_EQ(std::count_if(found.begin(), found.end(), paused), 30);
+}
+
+TEST_P(StatementCount, ManyProceduresOfAParticipantCostAsMuchAsTwo) {
+    std::vector<db::AttemptRecord> found;
+    std::vector<int64_t> ids;
+    const auto cost = [&](int procedures) {
+        const std::string code = owner->studies().new_participant("pilot");
+        ids.clear();
+        for (int i = 0; i < procedures; ++i)
+            ids.push_back(add_procedure("pilot", code, "run " + std::to_string(i)));
+        (void)add_procedure("pilot", code, "another", "touch_targets");
+        const db::AttemptRecord one = store->attempts().detail(ids.back()).record;
+        return cost_of([&] { found = db::other_attempts(*store, one); });
+    };
+    const int64_t of_two = cost(2);
+    EXPECT_THAT(found, SizeIs(2));
+    EXPECT_EQ(cost(30), of_two);
+    // At the same task, oldest first.
+    ASSERT_THAT(found, SizeIs(30));
+    for (size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].id, ids[i]);
 }
 
 /// No two alike, and numbers that a text would round.

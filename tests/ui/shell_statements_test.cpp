@@ -23,12 +23,13 @@ class ShellStatementsTest : public QObject {
     void newRemarksAreOneQuestion();
     void olderRatedAttemptsAreOneQuestion();
     void studiesAreOneQuestionAndAStudyIsReadBesideItsPage();
+    void proceduresOfAParticipantAreOneQuestion();
 
  private:
     int64_t add(const char* started_utc);
     void rate(int64_t attempt);
     /// Statements of this thread until the page stands there; -1: it did not come.
-    int64_t costOf(PageId page);
+    int64_t costOf(const Place& place);
 
     std::unique_ptr<ShellHarness> shell_;
     int64_t trainee_ = 0, educator_ = 0;
@@ -67,13 +68,13 @@ void ShellStatementsTest::rate(int64_t attempt) {
     shell_->owner().reviews().save_rating(rating);
 }
 
-int64_t ShellStatementsTest::costOf(PageId page) {
+int64_t ShellStatementsTest::costOf(const Place& place) {
     shell_->window().open({PageId::kAccount, 0, {}, {}});
     if (!shell_->arrives(PageId::kAccount)) return -1;
     const int64_t before = db::statements_sent();
-    shell_->window().open({page, 0, {}, {}});
+    shell_->window().open(place);
     const int64_t sent = db::statements_sent() - before;
-    return shell_->arrives(page) ? sent : -1;
+    return shell_->arrives(place.page) ? sent : -1;
 }
 
 void ShellStatementsTest::newRemarksAreOneQuestion() {
@@ -103,11 +104,11 @@ void ShellStatementsTest::olderRatedAttemptsAreOneQuestion() {
     for (int i = 0; i < 500; ++i) add("2026-04-01T10:00:00Z");
     for (size_t i = 0; i < 2; ++i) rate(old[i]);
     QVERIFY(shell_->signIn("demo.educator", "placode-demo"));
-    const int64_t of_two = costOf(PageId::kRatings);
+    const int64_t of_two = costOf({PageId::kRatings, 0, {}, {}});
     QVERIFY(of_two > 0);
     QCOMPARE(shell_->find<QTableWidget>("rated")->rowCount(), 2);
     for (size_t i = 2; i < old.size(); ++i) rate(old[i]);
-    const int64_t of_all = costOf(PageId::kRatings);
+    const int64_t of_all = costOf({PageId::kRatings, 0, {}, {}});
     QVERIFY2(of_all > 0 && of_all <= of_two + kOfTheSession, qPrintable(QString::number(of_all)));
     QCOMPARE(shell_->find<QTableWidget>("rated")->rowCount(), 30);
 }
@@ -120,7 +121,7 @@ void ShellStatementsTest::studiesAreOneQuestionAndAStudyIsReadBesideItsPage() {
     };
     for (int i = 0; i < 2; ++i) enrol(i);
     QVERIFY(shell_->signIn("demo.coordinator", "placode-demo"));
-    const int64_t of_two = costOf(PageId::kStudyResults);
+    const int64_t of_two = costOf({PageId::kStudyResults, 0, {}, {}});
     QVERIFY(of_two > 0);
     QVERIFY(shell_->context().busy());
     QVERIFY(!shell_->find<QPushButton>("save_results")->isEnabled());
@@ -130,9 +131,41 @@ void ShellStatementsTest::studiesAreOneQuestionAndAStudyIsReadBesideItsPage() {
     QVERIFY(shell_->find<QPushButton>("save_results")->isEnabled());
     QVERIFY(shell_->find<QPushButton>("view_figures") != nullptr);
     for (int i = 2; i < 30; ++i) enrol(i);
-    const int64_t of_all = costOf(PageId::kStudyResults);
+    const int64_t of_all = costOf({PageId::kStudyResults, 0, {}, {}});
     QVERIFY2(of_all > 0 && of_all <= of_two + kOfTheSession, qPrintable(QString::number(of_all)));
     QVERIFY(shell_->find<QComboBox>("study_chooser")->count() >= 30);
+}
+
+void ShellStatementsTest::proceduresOfAParticipantAreOneQuestion() {
+    const std::string study = "procedures", code = shell_->owner().studies().new_participant(study);
+    int done = 0;
+    const auto perform = [&](int n) {
+        for (; done < n; ++done) {
+            db::AttemptResult result;
+            result.header.task_id = "touch_targets";
+            result.header.device = "mouse";
+            result.header.started_utc = "2026-03-01T10:00:00Z";
+            result.end = {sim::EndReason::kFinished, 20, 7, 0};
+            result.score.rubric_id = "touch_targets";
+            result.study = {study, code};
+            db::StepRecord step;
+            step.study_id = study;
+            step.participant = code;
+            step.step = "run " + std::to_string(done);
+            step.attempt_id = shell_->owner().attempts().save(educator_, result);
+            shell_->owner().studies().record_step(step);
+        }
+    };
+    const Place place{PageId::kStudyData, 0, {}, {{"study", QString::fromStdString(study)}}};
+    perform(2);
+    QVERIFY(shell_->signIn("demo.coordinator", "placode-demo"));
+    const int64_t of_two = costOf(place);
+    QVERIFY(of_two > 0);
+    QCOMPARE(shell_->find<QTableWidget>("procedures_table")->rowCount(), 2);
+    perform(30);
+    const int64_t of_all = costOf(place);
+    QVERIFY2(of_all > 0 && of_all <= of_two + kOfTheSession, qPrintable(QString::number(of_all)));
+    QCOMPARE(shell_->find<QTableWidget>("procedures_table")->rowCount(), 30);
 }
 
 }  // namespace placode::ui

@@ -55,15 +55,14 @@ void ProceduresCard::readRows() {
     titles_.clear();
     if (const auto protocol = db::protocol_of(context_.store(), study_, code_))
         for (const auto& step : protocol->steps) titles_[step.id] = context_.in(step.title);
+    std::vector<int64_t> ids;
     for (db::StepRecord& record : context_.store().studies().steps(study_)) {
         if (record.participant != code_ || record.attempt_id == 0) continue;
-        // An attempt that is gone leaves its step.
-        (void)context_.problemOf([&] {
-            attempts_[record.attempt_id] =
-                context_.store().attempts().detail(record.attempt_id).record;
-        });
+        ids.push_back(record.attempt_id);
         rows_.push_back(std::move(record));
     }
+    // An attempt that is gone leaves its step, and is not among them.
+    attempts_ = context_.store().attempts().records(ids);
 }
 
 QString ProceduresCard::titleOf(const std::string& step) const {
