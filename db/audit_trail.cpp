@@ -54,7 +54,10 @@ void StoreContext::touch(const std::string& kind, const std::vector<std::string>
     SealedObject object{kind, key};
     if (touched_.contains(object)) return;
     // Until the commit: another computer that changes another row of the same object meanwhile
-    // would make both seals wrong.
+    // would make both seals wrong. A lock of the object alone, with this one at the end, would have
+    // others wait less, also while an exam begins or a replay is kept. But who touches two objects
+    // would meet who touches them the other way round; and a program of before, which takes this
+    // lock first, would wait for a row of somebody who waits for this lock.
     lock_trail();
     std::string before = seal_of(connection, object);
     touched_.emplace(std::move(object), std::move(before));
