@@ -18,6 +18,38 @@ using Kind = StoreError::Kind;
 
 constexpr std::array<const char*, 3> kEvents{"locked", "signed", "unlocked"};
 
+/// What a signature is for, in the order in which its checksum takes it.
+struct RecordPart {
+    const char *code, *select, *order;
+    bool only_if_any = false;  ///< A record signed before there were such things stays right.
+};
+
+constexpr std::array kRecordParts{
+    RecordPart{"code", "created_utc FROM participants WHERE study_id = ?", "code"},
+    RecordPart{"code",
+               "id, visit, step, state, attempt_id, answer_id, detail, at_utc FROM study_steps "
+               "WHERE study_id = ?",
+               "id"},
+    RecordPart{"participant",
+               "id, questionnaire_id, questionnaire_version, answered_utc, language, visit FROM "
+               "answers WHERE study_id = ?",
+               "id"},
+    RecordPart{"a.participant",
+               "i.answer_id, i.item, i.answer FROM answer_items i JOIN answers a ON a.id = "
+               "i.answer_id WHERE a.study_id = ?",
+               "i.answer_id, i.item"},
+    RecordPart{"s.code",
+               "t.id, t.task_id, t.points, t.verdict, t.duration_s FROM attempts t JOIN "
+               "study_steps s ON s.attempt_id = t.id WHERE s.study_id = ?",
+               "t.id"},
+    RecordPart{"s.code",
+               "u.step_id, u.reason, u.superseded_utc FROM superseded_steps u JOIN study_steps s "
+               "ON s.id = u.step_id WHERE s.study_id = ?",
+               "u.step_id", true},
+    RecordPart{"code", "id, visit, step, note, at_utc FROM step_notes WHERE study_id = ?", "id",
+               true},
+};
+
 RecordEvent event_of(const std::string& study_id, const std::string& code, RecordEventKind kind,
                      const std::string& login) {
     RecordEvent event;
@@ -33,43 +65,33 @@ RecordEvent event_of(const std::string& study_id, const std::string& code, Recor
 StudyRecords::StudyRecords(StoreContext& context)
     : context_(context), connection_(context.connection) {}
 
-std::string StudyRecords::checksum_of(const std::string& study_id, const std::string& code) {
-    std::string all;
-    const auto add_rows = [&](const char* sql) {
-        Statement query(connection_, sql);
-        query.run(study_id, code);
+std::map<std::string, std::string> StudyRecords::checksums_of(const std::string& study_id,
+                                                              const std::set<std::string>& codes) {
+    std::map<std::string, std::string> texts;
+    for (const RecordPart& part : kRecordParts) {
+        std::map<std::string, std::string> rows;
+        const std::string of_one =
+            codes.size() == 1 ? std::string(" AND ") + part.code + " = ?" : std::string();
+        Statement query(connection_, std::string("SELECT ") + part.code + ", " + part.select +
+                                         of_one + " ORDER BY " + part.order);
+        of_one.empty() ? query.run(study_id) : query.run(study_id, *codes.begin());
         while (query.next()) {
-            for (int i = 0; i < query.columns(); ++i) add_text(all, query.text(i));
-            all += '\n';
+            std::string& row = rows[query.text(0)];
+            for (int i = 1; i < query.columns(); ++i) add_text(row, query.text(i));
+            row += '\n';
         }
-        all += '\n';
-    };
-    const auto add_if_any = [&](const char* sql) {
-        const std::string before = all;
-        add_rows(sql);
-        if (all.size() == before.size() + 1) all = before;
-    };
-    add_rows("SELECT created_utc FROM participants WHERE study_id = ? AND code = ?");
-    add_rows(
-        "SELECT id, visit, step, state, attempt_id, answer_id, detail, at_utc FROM study_steps "
-        "WHERE study_id = ? AND code = ? ORDER BY id");
-    add_rows(
-        "SELECT id, questionnaire_id, questionnaire_version, answered_utc, language, visit FROM "
-        "answers WHERE study_id = ? AND participant = ? ORDER BY id");
-    add_rows(
-        "SELECT i.answer_id, i.item, i.answer FROM answer_items i JOIN answers a ON a.id = "
-        "i.answer_id WHERE a.study_id = ? AND a.participant = ? ORDER BY i.answer_id, i.item");
-    add_rows(
-        "SELECT t.id, t.task_id, t.points, t.verdict, t.duration_s FROM attempts t JOIN "
-        "study_steps s ON s.attempt_id = t.id WHERE s.study_id = ? AND s.code = ? ORDER BY t.id");
-    // Only where there are any: a record that was signed before there were such things stays right.
-    add_if_any(
-        "SELECT u.step_id, u.reason, u.superseded_utc FROM superseded_steps u JOIN study_steps s "
-        "ON s.id = u.step_id WHERE s.study_id = ? AND s.code = ? ORDER BY u.step_id");
-    add_if_any(
-        "SELECT id, visit, step, note, at_utc FROM step_notes WHERE study_id = ? AND code = ? "
-        "ORDER BY id");
-    return checksum_hex(all);
+        for (const std::string& code : codes)
+            if (const auto found = rows.find(code); found != rows.end())
+                texts[code] += found->second + '\n';
+            else if (!part.only_if_any)
+                texts[code] += '\n';
+    }
+    for (auto& [code, text] : texts) text = checksum_hex(text);
+    return texts;
+}
+
+std::string StudyRecords::checksum_of(const std::string& study_id, const std::string& code) {
+    return checksums_of(study_id, {code}).at(code);
 }
 
 void StudyRecords::insert_event(RecordEvent event) {
@@ -177,7 +199,12 @@ std::vector<RecordEvent> StudyRecords::events(const std::string& study_id) {
         found.push_back(std::move(event));
     }
     context_.show_names(found, &RecordEvent::login);
-    for (RecordEvent& event : found) event.name = context_.shown_display_name(event.name);
+    std::map<std::string, std::string> shown;
+    for (RecordEvent& event : found) {
+        const auto [at, first] = shown.try_emplace(event.name);
+        if (first) at->second = context_.shown_display_name(at->first);
+        event.name = at->second;
+    }
     return found;
 }
 
@@ -191,9 +218,14 @@ std::map<std::string, RecordState> StudyRecords::states(const std::string& study
         else
             state.signature.reset();
     }
-    for (auto& [code, state] : found)
-        if (state.signature)
-            state.signature_fits = state.signature->checksum == checksum_of(study_id, code);
+    std::set<std::string> signed_codes;
+    for (const auto& [code, state] : found)
+        if (state.signature) signed_codes.insert(code);
+    if (signed_codes.empty()) return found;
+    for (const auto& [code, checksum] : checksums_of(study_id, signed_codes)) {
+        RecordState& state = found[code];
+        state.signature_fits = state.signature->checksum == checksum;
+    }
     return found;
 }
 

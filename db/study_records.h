@@ -7,6 +7,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -114,6 +115,9 @@ class StudyRecords {
  private:
     /// Over everything that was recorded of the participant.
     [[nodiscard]] std::string checksum_of(const std::string& study_id, const std::string& code);
+    /// The same of many, with as many questions as for one.
+    [[nodiscard]] std::map<std::string, std::string> checksums_of(
+        const std::string& study_id, const std::set<std::string>& codes);
     void insert_event(RecordEvent event);
     /// The answers of that entry (1 or 2), and of which questionnaire and participant they are.
     [[nodiscard]] AnswerRecord need_answers(int64_t answer_id, int entry);

@@ -186,6 +186,46 @@ TEST_P(StatementCount, ManyProceduresOfAParticipantCostAsMuchAsTwo) {
     for (size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].id, ids[i]);
 }
 
+TEST_P(StatementCount, ManySignedRecordsCostAsMuchAsTwo) {
+    const auto sign = [&](const std::string& study, int n) {
+        add_participants(study, n);
+        for (const db::ParticipantRecord& each : owner->studies().participants(study)) {
+            // No two alike, and some without what not every record has.
+            db::AnswerRecord answers;
+            answers.study_id = study;
+            answers.participant = each.code;
+            answers.questionnaire_id = "sus";
+            answers.answers = {{"sus02", std::to_string(each.number % 5)}, {"sus01", "4"}};
+            if (each.number % 2 == 0) (void)owner->studies().save_answers(answers);
+            if (each.number % 3 == 0) owner->records().note_step(study, each.code, 1, "run", "x");
+            if (each.number % 4 == 0)
+                owner->records().repeat_step(study, each.code, 1, "run", "the pedal");
+            owner->records().lock(study, each.code);
+            owner->records().sign(study, each.code, "coach", kPassword, "read");
+        }
+    };
+    sign("few", 2);
+    sign("many", 30);
+    std::map<std::string, db::RecordState> found;
+    const int64_t of_two = cost_of([&] { found = store->records().states("few"); });
+    EXPECT_THAT(found, SizeIs(2));
+    EXPECT_EQ(cost_of([&] { found = store->records().states("many"); }), of_two);
+    ASSERT_THAT(found, SizeIs(30));
+    // Signed one at a time, and read together: the same checksum.
+    for (const auto& [code, state] : found) {
+        ASSERT_TRUE(state.signature) << code;
+        EXPECT_EQ(state.signature->name, "Name of coach") << code;
+        EXPECT_TRUE(state.signature_fits) << code;
+    }
+    const std::string edited = found.rbegin()->first;
+    ASSERT_TRUE(
+        raw().run("UPDATE participants SET created_utc = '' WHERE study_id = 'many' AND "
+                  "code = '" +
+                  edited + "'"));
+    for (const auto& [code, state] : store->records().states("many"))
+        EXPECT_EQ(state.signature_fits, code != edited) << code;
+}
+
 /// No two alike, and numbers that a text would round.
 db::AttemptResult result_with(int events, int metrics, int reasons) {
     db::AttemptResult result = make_result();
