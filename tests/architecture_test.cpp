@@ -340,6 +340,58 @@ TEST(Architecture, NoSourceHoldsPolish) {
     }
 }
 
+/// What the C library works out with another last bit in another version and on another processor
+/// (square roots, remainders and fma are exact to the last bit everywhere), and what of Eigen asks
+/// it.
+const std::regex& inexact_function() {
+    static const std::regex found(
+        R"((^|[^\w])((std::)?(a?sinh?|a?cosh?|a?tanh?|atan2|sincos|exp|exp2|expm1|log|log2|log10)"
+        R"(|log1p|pow|cbrt|hypot|erfc?|[tl]gamma)f?l?\s*\(|std::(a?sin|a?cos|a?tan|exp|log|pow)\b)"
+        R"(|AngleAxis|Rotation2D|computeDirect|eulerAngles|slerp\s*\())");
+    return found;
+}
+
+// A recording replays with the same bits on a computer with a newer C library or another processor.
+// Outside: what reads meshes, and what verifies.
+TEST(Architecture, AFrameAsksTheLibraryForNothingThatItRoundsItsOwnWay) {
+    // Files that only build scenes and may ask it. Name one here only if what it makes lies in the
+    // recording too.
+    const std::set<std::string> exempt{};
+    const std::set<std::string> outside{"verify", "mesh_io", "anatomy"};
+    int scanned = 0;
+    for (const fs::path& path : sources()) {
+        const fs::path relative = fs::relative(path, root());
+        if (*relative.begin() != "sim" || outside.contains(std::next(relative.begin())->string()))
+            continue;
+        std::ifstream in(path);
+        std::string line;
+        bool asks = false;
+        for (int number = 1; std::getline(in, line); ++number) {
+            if (!std::regex_search(line.substr(0, line.find("//")), inexact_function())) continue;
+            asks = true;
+            EXPECT_TRUE(exempt.contains(relative.string()))
+                << relative.string() << ":" << number
+                << ": use sim/core/portable_math.h instead: " << line;
+        }
+        EXPECT_EQ(asks, exempt.contains(relative.string())) << relative.string();
+        ++scanned;
+    }
+    EXPECT_GT(scanned, 200);
+}
+
+TEST(Architecture, TheScanForInexactFunctionsKnowsThemFromOthers) {
+    for (const char* line :
+         {"x = std::sin(a);", "return atan2(y, x);", "std::pow (a, 2)", "f(std::exp2(-x))",
+          "a.array().log()", "transform(b, std::cos);", "const Eigen::AngleAxisd yaw(a, z);",
+          "expf(x)", "std::hypot(a, b)", "q.slerp(0.5, p)", "eigen.computeDirect(m);"})
+        EXPECT_TRUE(std::regex_search(line, inexact_function())) << line;
+    for (const char* line :
+         {"exp_portable(x)", "std::sqrt(x)", "arc_tangent(w)", "std::fmod(a, b)", "open_log(x)",
+          "half_tangent(a)", "std::max(a, b)", "reading.dose_log += w", "expect(x)", "cosine(1)",
+          "sector(a)", "std::exponential(x)"})
+        EXPECT_FALSE(std::regex_search(line, inexact_function())) << line;
+}
+
 TEST(Architecture, EveryFileCarriesTheLicence) {
     for (const fs::path& path : sources()) {
         std::ifstream in(path);

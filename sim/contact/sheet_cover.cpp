@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "sim/core/portable_math.h"
+
 namespace placode::sim {
 namespace {
 
@@ -103,7 +105,7 @@ double SheetCover::margin(const Vec2& from, const Vec2& outward, int directions,
     const double step = 0.5 * std::numbers::pi / directions;
     for (int i = 1; i <= directions && least > 0; ++i) {
         for (const int side : {-1, 1}) {
-            const double angle = side * i * step, c = std::cos(angle), s = std::sin(angle);
+            const auto [s, c] = sin_cos_portable(side * i * step);
             const Vec2 direction(c * outward.x() - s * outward.y(),
                                  s * outward.x() + c * outward.y());
             least = std::min(least, reach(from, direction, most));

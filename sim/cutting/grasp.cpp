@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/portable_math.h"
 #include "sim/solver/vertex_stiffness.h"
 #include "sim/world/add_event.h"
 #include "sim/world/scene.h"
@@ -129,7 +130,7 @@ class Bite {
     double reach_ = kReach;
     double half_ = spec_.jaw_width_m / 2;
     // Jaws meet at an angle: the gap shrinks towards the hinge, never below half of the tip's.
-    double slope_ = std::tan(std::max(0.0, grip_angle(spec_)) / 2);
+    double slope_ = tan_portable(std::max(0.0, grip_angle(spec_)) / 2);
 };
 
 /// What needle and thread pull at a held vertex.

@@ -4,8 +4,8 @@
 #include "sim/cutting/release.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "sim/core/portable_math.h"
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/linked_tets.h"
 #include "sim/solver/topology.h"
@@ -157,7 +157,7 @@ void update_outline(const Scene& scene, State& state) noexcept {
 }
 
 int sector_of(const Vec3& rest) noexcept {
-    double angle = std::atan2(rest.y(), rest.x()) * 180 / 3.14159265358979323846;
+    double angle = atan2_portable(rest.y(), rest.x()) * 180 / 3.14159265358979323846;
     if (angle < 0) angle += 360;
     return std::min(kSectors - 1, static_cast<int>(angle / 5));
 }

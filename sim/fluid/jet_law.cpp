@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/core/portable_math.h"
+
 namespace placode::sim {
 namespace {
 
@@ -36,7 +38,7 @@ double jet_width_m(const JetSpec& jet, double x_m) noexcept {
 
 double jet_pressure_pa(const JetSpec& jet, double x_m, double r_m, double cosine) noexcept {
     const double v = jet_speed_m_s(jet, x_m), s = r_m / jet_width_m(jet, x_m);
-    return 0.5 * jet.density_kg_m3 * v * v * cosine * cosine * std::exp(-s * s);
+    return 0.5 * jet.density_kg_m3 * v * v * cosine * cosine * exp_portable(-s * s);
 }
 
 double jet_shear_pa(const JetSpec& jet, double x_m, double r_m) noexcept {

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "sim/core/as_index.h"
+#include "sim/core/portable_math.h"
 
 namespace placode::sim {
 namespace {
@@ -146,7 +147,7 @@ double stored_m3(const Pool& pool) noexcept {
 }
 
 double cell_hidden(const PoolGrid& grid, const Pool& pool, int32_t cell) noexcept {
-    return 1 - std::exp(-kBloodPerM * pool.blood_m3[as_index(cell)] / grid.cell_m2());
+    return 1 - exp_portable(-kBloodPerM * pool.blood_m3[as_index(cell)] / grid.cell_m2());
 }
 
 double view_hidden(const Irrigation& irrigation, const Pool& pool) noexcept {

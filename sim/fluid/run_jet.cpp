@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "sim/core/as_index.h"
+#include "sim/core/portable_math.h"
 #include "sim/fluid/jet_law.h"
 #include "sim/fluid/pool.h"
 #include "sim/fluid/surface_ray.h"
@@ -30,10 +31,11 @@ std::array<Vec2, kRays> jet_lines() noexcept {
     int before = 0;
     for (const int count : kRings) {
         const double share = (before + 0.5 * count) / kRays;
-        const double r = count == 1 ? 0 : std::sqrt(-std::log(1 - share));
+        const double r = count == 1 ? 0 : std::sqrt(-log_portable(1 - share));
         for (int k = 0; k < count; ++k) {
             const double a = 2 * std::numbers::pi * (k + 0.5 * (count % 4)) / count;
-            out[n++] = r * Vec2(std::cos(a), std::sin(a));
+            const SineAndCosine of = sin_cos_portable(a);
+            out[n++] = r * Vec2(of.cosine, of.sine);
         }
         before += count;
     }

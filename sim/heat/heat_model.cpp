@@ -86,7 +86,8 @@ HeatModel::HeatModel(const TetMesh& mesh, const MaterialTable& materials,
         }
         // K_e = k V G^T G against lumped C_e = rho c V / 4: rate = 4 k/(rho c) eig(G G^T).
         Eigen::SelfAdjointEigenSolver<Mat3> eigen;
-        eigen.computeDirect(g * g.transpose(), Eigen::EigenvaluesOnly);
+        // Not computeDirect(), which asks the C library for angles: portable_math.h.
+        eigen.compute(g * g.transpose(), Eigen::EigenvaluesOnly);
         fastest = std::max(fastest, 4 * k / capacity_j_m3k_[tissue] * eigen.eigenvalues()[2]);
     }
     stable_step_s_ = fastest > 0 ? kSafety * 2 / fastest : 1e9;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include "sim/core/portable_math.h"
 #include "sim/ledger/damage.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
@@ -98,8 +99,8 @@ class Ray {
     }
     /// Distances from the edge at which Omega and CEM43 fall below their limits [m].
     [[nodiscard]] std::pair<double, double> beyond(int edge, int side) const {
-        return {beyond(edge, side, &Reading::damage_log, std::log(kSpreadDamage)),
-                beyond(edge, side, &Reading::dose_log, std::log(kSpreadDoseMin))};
+        return {beyond(edge, side, &Reading::damage_log, log_portable(kSpreadDamage)),
+                beyond(edge, side, &Reading::dose_log, log_portable(kSpreadDoseMin))};
     }
 
  private:
@@ -139,8 +140,9 @@ class Ray {
             const auto dose = static_cast<double>(heat.cem43_min[v]);
             const double damage =
                 continued_damage(scene_, static_cast<double>(heat.arrhenius[v]), dose);
-            reading.damage_log += point->weight[k] * std::log(std::max(damage, kColdDamage));
-            reading.dose_log += point->weight[k] * std::log(std::clamp(dose, kColdDoseMin, 1e30));
+            reading.damage_log += point->weight[k] * log_portable(std::max(damage, kColdDamage));
+            reading.dose_log +=
+                point->weight[k] * log_portable(std::clamp(dose, kColdDoseMin, 1e30));
         }
         return reading;
     }
@@ -156,7 +158,7 @@ double continued_damage(const Scene& scene, double arrhenius, double cem43_min) 
     if (arrhenius < 10 || !scene.heat) return arrhenius;
     const HeatSettings& heat = scene.heat->settings();
     const double celsius =
-        std::min(kHottest, 43 + std::log2(std::max(1.0, cem43_min * 60 / kOneSecond)));
+        std::min(kHottest, 43 + log2_portable(std::clamp(cem43_min * 60 / kOneSecond, 1.0, 1e300)));
     return std::max(arrhenius, kOneSecond * arrhenius_rate(heat.arrhenius_a_per_s,
                                                            heat.arrhenius_ea_j_mol, celsius));
 }

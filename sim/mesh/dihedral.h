@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/core/portable_math.h"
+
 namespace placode::sim {
 
 /// Edge p0 p1, p2 the corner of the own triangle, p3 of the other one.
@@ -35,7 +37,7 @@ Eigen::Matrix<T, 3, 1> cross(const Eigen::Matrix<T, 3, 1>& a, const Eigen::Matri
 [[nodiscard]] inline double hinge_angle(const HingePoints<double>& p) noexcept {
     const Eigen::Vector3d e = p[1] - p[0];
     const Eigen::Vector3d own = e.cross(p[2] - p[0]), other = (p[3] - p[0]).cross(e);
-    return std::atan2(e.dot(other.cross(own)) / e.norm(), own.dot(other));
+    return atan2_portable(e.dot(other.cross(own)) / e.norm(), own.dot(other));
 }
 
 /// Gradient of the angle in the four points [1/m]: a corner lifts its triangle by one over its

@@ -9,6 +9,7 @@
 #include "sim/core/as_index.h"
 #include "sim/core/fnv_hash.h"
 #include "sim/core/number_text.h"
+#include "sim/core/portable_math.h"
 #include "sim/rod/rod_elements-inl.h"
 
 namespace placode::sim {
@@ -114,7 +115,7 @@ Rod::Rod(RodSpec spec) : spec_(std::move(spec)) {
     for (size_t j = 0; j + 1 < n && !spec_.rest_bend_rad.empty(); ++j) {
         const Vec3& bend = spec_.rest_bend_rad[j];
         const double angle = bend.norm();
-        if (angle > 0) rest_omega_[j + 1] = 4 * std::tan(angle / 4) / angle * bend;
+        if (angle > 0) rest_omega_[j + 1] = 4 * tan_portable(angle / 4) / angle * bend;
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/core/as_index.h"
+#include "sim/core/portable_math.h"
 #include "sim/mesh/dihedral.h"
 #include "sim/solver/kernel_layout.h"
 
@@ -26,7 +27,7 @@ double units_a_metre(const SoftBody& body) {
     double sum = 0;
     for (const SheetTriangle& t : body.spec().sheet) sum += area_of(body.mesh().rest, t);
     const double mean = sum / static_cast<double>(body.spec().sheet.size());
-    return std::exp2(std::round(-std::log2(2 * mean) / 2));
+    return std::ldexp(1.0, static_cast<int>(std::round(-log2_portable(2 * mean) / 2)));
 }
 
 /// The triangle beyond every edge.
@@ -178,9 +179,9 @@ SheetFans::Step SheetFans::step_of(int32_t v, int32_t a, int32_t b, int32_t tria
 void SheetFans::set_angle(Step& step, int row, const std::array<int32_t, 4>& hinge) const {
     HingePoints<double> p;
     for (size_t k = 0; k < 4; ++k) p[k] = body_.mesh().rest[as_index(hinge[k])];
-    const double angle = hinge_angle(p);
-    step.row[as_index(row)] = static_cast<float>(std::cos(angle));
-    step.row[as_index(row) + 1] = static_cast<float>(std::sin(angle));
+    const SineAndCosine angle = sin_cos_portable(hinge_angle(p));
+    step.row[as_index(row)] = static_cast<float>(angle.cosine);
+    step.row[as_index(row) + 1] = static_cast<float>(angle.sine);
 }
 
 void SheetFans::set_bending(Step& step, int32_t v, int32_t a, int32_t b, int32_t triangle) const {

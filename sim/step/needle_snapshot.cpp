@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "sim/core/as_index.h"
+#include "sim/core/portable_math.h"
 #include "sim/solver/topology.h"
 #include "sim/world/scene.h"
 #include "sim/world/state.h"
@@ -115,7 +116,8 @@ void add_loop(const State& state, const Vec3& end, const Vec3& offset, Line& loo
     centre.z() = std::max(centre.z(), height_under(state, centre) + kOnTissueM);
     for (int i = 0; i <= kLoopPoints; ++i) {
         const double a = 2 * std::numbers::pi * i / kLoopPoints;
-        append(loop, centre - kLoopM * (std::cos(a) * flat + std::sin(a) * aside));
+        const SineAndCosine of = sin_cos_portable(a);
+        append(loop, centre - kLoopM * (of.cosine * flat + of.sine * aside));
     }
 }
 
