@@ -11,6 +11,7 @@
 #include "sim/world/add_event.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
+#include "sim/world/shape_version.h"
 
 namespace placode::sim {
 namespace {
@@ -75,8 +76,7 @@ void leak(const Scene& scene, State& state, double dt_s) noexcept {
     SacState& sac = state.sac;
     // Cuts gape more or less as the wall moves; what is empty loses nothing.
     const bool gapes = sac.hole_m2 > 0 && sac.pressure_pa > 0;
-    // A cut opens the wall only when its vertices have split, frames later.
-    const uint32_t shape = state.surface.version() + static_cast<uint32_t>(state.splits);
+    const uint32_t shape = shape_version(state);
     if (sac.looked != shape || gapes) {
         sac.looked = shape;
         sac.hole_m2 = open_area(scene, state);

@@ -13,7 +13,7 @@
 #include "sim/ledger/burial.h"
 #include "sim/step/needle_snapshot.h"
 #include "sim/world/scene.h"
-#include "sim/world/state.h"
+#include "sim/world/shape_version.h"
 
 namespace placode::sim {
 namespace {
@@ -101,8 +101,7 @@ void fill_tissue(const Scene& scene, const State& state, Snapshot& out) {
         }
     }
     // The list is copied only when it changed since this buffer was last filled.
-    // Faces part first and vertices frames later: both change it, and both only grow.
-    const uint32_t version = state.surface.version() + static_cast<uint32_t>(state.splits);
+    const uint32_t version = shape_version(state);
     if (out.triangles.empty() || out.surface_version != version) {
         const auto triangles = state.surface.triangles();
         out.triangles.assign(triangles.begin(), triangles.end());
