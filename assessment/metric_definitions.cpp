@@ -102,9 +102,13 @@ constexpr MetricDefinition kMetrics[] = {
     {"over_force_s", "Time above the scene's force limit", "s", kLowerIsBetter,
      "Time with the force above the scene's limit.", "Placode"},
     {"torn_volume_mm3", "Torn tissue", "mm3", kLowerIsBetter,
-     "Undeformed volume of elements torn by stretch.", "Placode"},
+     "Undeformed volume of elements torn by stretch, and of tissue that left with a loose piece "
+     "though it was not to go.",
+     "Placode"},
     {"torn_skin_mm3", "Torn skin", "mm3", kLowerIsBetter,
-     "Undeformed volume of skin elements torn by stretch.", "Placode"},
+     "Undeformed volume of skin elements torn by stretch, and of healthy skin that left with a "
+     "loose piece.",
+     "Placode"},
     {"skin_burned_mm3", "Burned skin", "mm3", kLowerIsBetter,
      "Undeformed volume of skin that heat removed more than 1 mm outside the lesion's edge, "
      "however "

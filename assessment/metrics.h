@@ -19,8 +19,9 @@ namespace placode::assessment {
 /// 17: skin burned anywhere; one value for each stretch of a traced line and each target.
 /// 18: what lasts counts more, a line traced far off, energy into healthy skin.
 /// 19: taps on one spot or in air are one spell, tugs one pull; a traced line is weighed by the
-/// way.
-inline constexpr int kMetricSetVersion = 20;
+/// way. 20: a bite through a slit from its entry.
+/// 21: healthy skin that leaves with a piece is torn.
+inline constexpr int kMetricSetVersion = 21;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "assessment/tissue_metrics.h"
+#include "sim/core/healthy_skin.h"
 
 namespace placode::assessment {
 
-inline constexpr double kOutsideSkinM = 0.001;  ///< Farther into healthy skin no kerf may reach.
+using sim::is_skin;
+using sim::kOutsideSkinM;
 
 /// Events of one kind in the ledger.
 struct EventSum {
@@ -44,10 +46,6 @@ inline constexpr double kAgainS = 2;  ///< A spell counts once more for each tim
 [[nodiscard]] double times_of(std::vector<Spell> spells);
 /// Spells of a kind whose event was raised at the end of one, with its length.
 [[nodiscard]] std::vector<Spell> spells_of(const sim::Recording& recording, sim::EventKind kind);
-
-[[nodiscard]] inline bool is_skin(sim::Tissue tissue) noexcept {
-    return tissue == sim::Tissue::kSkin || tissue == sim::Tissue::kThinSkin;
-}
 
 /// Which of what heat removed, or warmed, was healthy skin. A kerf may reach 1 mm beyond the edge
 /// of the lesion, wherever the plan runs; farther out nothing is part of the operation, however far

@@ -263,6 +263,62 @@ TEST(Pieces, TissueThatIsNotToGoIsLostWithAPiece) {
     }
 }
 
+/// A block that is marked zone at x < 0 and skin at x > 0, of which 1 mm may be cut.
+Scene half_marked() {
+    const BoxOptions options = block();
+    SoftBodySpec spec;
+    {
+        const Scene plain = test::box_scene(options);
+        spec = plain.body.spec();
+    }
+    const auto at_x = [&](size_t t) {
+        double x = 0;
+        for (const int32_t v : spec.mesh.tets[t])
+            x += spec.mesh.rest[static_cast<size_t>(v)].x() / 4;
+        return x;
+    };
+    std::vector<uint8_t> marked;
+    for (size_t t = 0; t < spec.mesh.tets.size(); ++t) {
+        marked.push_back(at_x(t) < 0 ? 1 : 0);
+        spec.mesh.tissue[t] = at_x(t) < 0 ? Tissue::kZone : Tissue::kSkin;
+    }
+    Scene scene{SoftBody(std::move(spec))};
+    scene.tools = {options.tool};
+    scene.marked = std::move(marked);
+    scene.marked_volume_m3 = 64e-9;
+    for (const Vec3& x : scene.body.mesh().rest)
+        scene.field.to_skin_m.push_back(static_cast<float>(x.x()));
+    return scene;
+}
+
+/// A flap of healthy skin goes with the piece that is to go: what is marked counts as taken out,
+/// what lies near it may be cut, the rest is lost. Where nothing tells how far it is from the edge
+/// of a lesion, all skin is.
+TEST(Pieces, HealthySkinThatLeavesWithMarkedTissueIsLost) {
+    for (const bool edge : {true, false}) {
+        Field field(half_marked());
+        if (!edge) field.scene.field.to_skin_m.clear();
+        field.cut_out(in_patch);
+        field.run(Vec3(0, 0, 0.010), 0.6, 200);
+        ASSERT_EQ(field.count(EventKind::kPieceFree), 1);
+        double skin = 0, marked = 0;
+        for (int t = 0; t < field.scene.body.tet_count(); ++t) {
+            const Vec3 at = rest_centroid(field.scene, t);
+            if (!in_patch(at)) continue;
+            const double volume =
+                static_cast<double>(field.scene.body.volume_m3()[static_cast<size_t>(t)]);
+            if (at.x() < 0) marked += volume;
+            if (at.x() > (edge ? 0.001 : 0)) skin += volume;
+        }
+        field.draw_out(Vec3(0, 0, 0.0001));
+        ASSERT_EQ(field.count(EventKind::kPieceOut), 1);
+        ASSERT_GT(skin, 0.5e-9);
+        EXPECT_NEAR(field.lost(Tissue::kSkin), skin, 1e-6 * skin) << edge;
+        EXPECT_EQ(field.lost(Tissue::kZone), 0);
+        EXPECT_NEAR(field.state.pieces.marked_out_m3, marked, 1e-6 * marked);
+    }
+}
+
 TEST(Pieces, TheReleaseIsDecidedByConnectivitySectorBySector) {
     Field field(lesion());
     const Vec3 away(0, 0, 0.02);

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "sim/core/healthy_skin.h"
 #include "sim/cutting/attempt_progress.h"
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/diathermy.h"
@@ -61,6 +62,19 @@ bool nothing_is_to_go(const Scene& scene) noexcept {
            std::none_of(scene.tools.begin(), scene.tools.end(), cuts);
 }
 
+/// Skin that is not marked and lies farther out than a cut may reach: in any task it is to stay.
+/// Where a scene has no lesion, nothing excuses the loss.
+bool is_healthy_skin(const Scene& scene, int32_t tet) noexcept {
+    const auto t = static_cast<size_t>(tet);
+    if (!is_skin(scene.body.mesh().tissue[t])) return false;
+    if (!scene.marked.empty() && scene.marked[t] != 0) return false;
+    if (scene.field.to_skin_m.empty()) return true;
+    double to_skin_m = 0;
+    for (const int32_t v : scene.body.mesh().tets[t])
+        to_skin_m += static_cast<double>(scene.field.to_skin_m[static_cast<size_t>(v)]) / 4;
+    return to_skin_m > kOutsideSkinM;
+}
+
 void take_away(const Scene& scene, State& state, int piece) noexcept {
     Piece& p = state.pieces.list[piece];
     int removed = 0;
@@ -102,7 +116,7 @@ void note_lost_tissue(const Scene& scene, State& state, int piece) noexcept {
     std::array<double, kTissueCount> volume_m3{};
     first.fill(-1);
     for_tets_of_piece(scene, state, piece, [&](int32_t t) {
-        if (!all && tissue[t] != Tissue::kPlacode) return;
+        if (!all && tissue[t] != Tissue::kPlacode && !is_healthy_skin(scene, t)) return;
         const auto kind = static_cast<size_t>(tissue[t]);
         if (first[kind] < 0) first[kind] = t;
         volume_m3[kind] += static_cast<double>(scene.body.volume_m3()[t]);

@@ -45,8 +45,8 @@ void stick_piece(const Scene& scene, State& state, int piece, bool resting) noex
                                 const Piece& p) noexcept;
 
 /// Tissue that nobody was to remove and that leaves with a piece is lost like what tears: a kTorn
-/// for each kind, with all of its rest volume and no stretch, at the first of its tets. Placode
-/// always; all kinds where no tissue is marked and no instrument cuts.
+/// for each kind, with all of its rest volume and no stretch, at the first of its tets. Placode and
+/// healthy skin always; all kinds where no tissue is marked and no instrument cuts.
 void note_lost_tissue(const Scene& scene, State& state, int piece) noexcept;
 
 /// One frame of a piece that has been found.

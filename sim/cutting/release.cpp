@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "sim/core/healthy_skin.h"
 #include "sim/core/portable_math.h"
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/linked_tets.h"
@@ -22,10 +23,8 @@ constexpr int kSectorsAside = 3;
 constexpr double kNearLine = 0.0014;  // around a point of the outline [m]
 
 bool counts_for_release(Tissue t) noexcept {
-    return t == Tissue::kPlacode || t == Tissue::kZone || t == Tissue::kSkin ||
-           t == Tissue::kThinSkin;
+    return t == Tissue::kPlacode || t == Tissue::kZone || is_skin(t);
 }
-bool is_skin(Tissue t) noexcept { return t == Tissue::kSkin || t == Tissue::kThinSkin; }
 
 /// True while every link of the path that was found last still holds.
 bool holds(const Scene& scene, const State& state, const PieceSearch::Path& path) noexcept {

@@ -92,8 +92,12 @@ namespace {
                       "that it was; a spell that begins within 3 s of the last one's end counts as "
                       "the share of 3 s between them."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Time with the force above the scene's limit."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Undeformed volume of elements torn by stretch."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Undeformed volume of skin elements torn by stretch."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Undeformed volume of elements torn by stretch, and of tissue that left with "
+                      "a loose piece though it was not to go."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Undeformed volume of skin elements torn by stretch, and of healthy skin "
+                      "that left with a loose piece."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Undeformed volume of skin that heat removed more than 1 mm outside the "
                       "lesion's edge, however far from the plan."),

@@ -3452,12 +3452,12 @@
         <translation>Czas z siłą powyżej granicy sceny.</translation>
     </message>
     <message>
-        <source>Undeformed volume of elements torn by stretch.</source>
-        <translation>Objętość spoczynkowa elementów rozerwanych przez rozciąganie.</translation>
+        <source>Undeformed volume of elements torn by stretch, and of tissue that left with a loose piece though it was not to go.</source>
+        <translation>Objętość spoczynkowa elementów rozerwanych przez rozciąganie oraz tkanki, która odeszła z luźnym kawałkiem, choć miała zostać.</translation>
     </message>
     <message>
-        <source>Undeformed volume of skin elements torn by stretch.</source>
-        <translation>Objętość spoczynkowa elementów skóry rozerwanych przez rozciąganie.</translation>
+        <source>Undeformed volume of skin elements torn by stretch, and of healthy skin that left with a loose piece.</source>
+        <translation>Objętość spoczynkowa elementów skóry rozerwanych przez rozciąganie oraz zdrowej skóry, która odeszła z luźnym kawałkiem.</translation>
     </message>
     <message>
         <source>Undeformed volume of skin that heat removed more than 1 mm outside the lesion&apos;s edge, however far from the plan.</source>
