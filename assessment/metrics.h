@@ -20,7 +20,7 @@ namespace placode::assessment {
 /// 18: what lasts counts more, a line traced far off, energy into healthy skin.
 /// 19: taps on one spot or in air are one spell, tugs one pull; a traced line is weighed by the
 /// way. 20: a bite through a slit from its entry.
-/// 21: healthy skin that leaves with a piece is torn.
+/// 21: healthy skin that leaves with a piece is torn; wire and thread touch the placode.
 inline constexpr int kMetricSetVersion = 21;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };

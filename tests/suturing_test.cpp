@@ -116,6 +116,31 @@ TEST(Suturing, ThePointOnThePlacodeIsAContactOfTheDriver) {
     }
 }
 
+// In and out again: the point has left the tissue, and the wire is drawn on through it.
+TEST(Suturing, TheWireInThePlacodeIsAContactOfTheDriver) {
+    for (const Tissue tissue : {Tissue::kSkin, Tissue::kPlacode}) {
+        StitchOptions options;
+        options.tissue = tissue;
+        Stitch stitch(options);
+        double wire_n = 0;
+        int frames = 0;
+        stitch.drive(kBiteM, 5e-3, [&] {
+            if (stitch.find(EventKind::kNeedleLeft) == nullptr ||
+                stitch.needle().point.mode != PointMode::kFree)
+                return;
+            ++frames;
+            wire_n = std::max(wire_n, stitch.state.tools[0].placode_force_n);
+        });
+        ASSERT_GT(frames, 100);
+        ASSERT_GT(stitch.needle().passage_count, 10);
+        EXPECT_EQ(stitch.state.tools[0].in_contact, 0) << "the driver itself touches nothing";
+        if (tissue == Tissue::kPlacode)
+            EXPECT_GT(wire_n, stitch.scene.contact.placode_warn_force_n);
+        else
+            EXPECT_EQ(wire_n, 0);
+    }
+}
+
 // What the hand pushes through driver and needle is what the bottom carries; the haptic device gets
 // it as its spring to the driver's place.
 TEST(Suturing, DriverBottomAndHandCarryTheSame) {

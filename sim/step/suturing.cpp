@@ -7,6 +7,7 @@
 #include "sim/contact/contact.h"
 #include "sim/core/as_index.h"
 #include "sim/step/needle_jaws.h"
+#include "sim/suture/passage_load.h"
 #include "sim/suture/suture_step.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
@@ -54,6 +55,10 @@ void finish_suture_substep(const Scene& scene, State& state, double h_s) noexcep
     if (!works(scene, state)) return;
     Suturing& s = state.suturing;
     SutureReport& report = state.scratch->suture_report;
+    const double placode_n =
+        s.driver < 0 ? 0
+                     : passage_load_n(*scene.suture, s.needle[0], tissue_of(scene, state),
+                                      state.scratch->suture[0], Tissue::kPlacode);
     finish_suture(*scene.suture, s.needle[0], tissue_of(scene, state), state.scratch->suture[0],
                   h_s, report);
     // What instruments touch stays out of the sweep until they are looked for anew.
@@ -67,7 +72,9 @@ void finish_suture_substep(const Scene& scene, State& state, double h_s) noexcep
     const Vec3 pull = -s.needle[0].hold.force_n / state.substeps;
     tool.force_n += pull;
     tool.needle_n += pull;
-    // Whoever pricks the placode touches it. Of a point that is free this is the force it had.
+    // Whoever pricks the placode touches it, and who draws wire or thread through it.
+    tool.placode_force_n += placode_n / state.substeps;
+    // Of a point that is free this is the force it had.
     const NeedlePoint& point = s.needle[0].point;
     if (point.mode != PointMode::kFree && point.tissue == Tissue::kPlacode)
         tool.placode_force_n += report.point_force_n / state.substeps;

@@ -51,10 +51,11 @@ namespace {
         "MetricDefinition",
         "Length of the contour beside which tissue within 0.5 mm of the placode was removed."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Times an instrument pressed on the placode with more than the force that "
-                      "the scene warns of."),
+                      "Times an instrument, needle or thread pressed on the placode with more than "
+                      "the force that the scene warns of."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Total time an instrument pressed on the placode with more than that force."),
+                      "Total time an instrument, needle or thread pressed on the placode with more "
+                      "than that force."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Largest contact force on the placode."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Time an energised instrument touched the placode, with whatever force."),

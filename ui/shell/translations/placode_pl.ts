@@ -3372,12 +3372,12 @@
         <translation>Długość linii, obok której usunięto tkankę bliżej niż 0,5 mm od płytki.</translation>
     </message>
     <message>
-        <source>Times an instrument pressed on the placode with more than the force that the scene warns of.</source>
-        <translation>Ile razy narzędzie nacisnęło płytkę siłą większą niż ta, przed którą ostrzega scena.</translation>
+        <source>Times an instrument, needle or thread pressed on the placode with more than the force that the scene warns of.</source>
+        <translation>Ile razy narzędzie, igła lub nić nacisnęły płytkę siłą większą niż ta, przed którą ostrzega scena.</translation>
     </message>
     <message>
-        <source>Total time an instrument pressed on the placode with more than that force.</source>
-        <translation>Łączny czas, w którym narzędzie naciskało płytkę siłą większą od tej.</translation>
+        <source>Total time an instrument, needle or thread pressed on the placode with more than that force.</source>
+        <translation>Łączny czas, w którym narzędzie, igła lub nić naciskały płytkę siłą większą od tej.</translation>
     </message>
     <message>
         <source>Largest contact force on the placode.</source>
