@@ -66,6 +66,20 @@ TEST(PortableMath, LogarithmsAreRightTo3e16) {
     for (int n = -40; n <= 40; ++n) EXPECT_NEAR(log2_portable(std::ldexp(1.0, n)), n, 5e-16 * 40);
 }
 
+TEST(PortableMath, PowersGrowInErrorWithTheirLogarithm) {
+    for (const double exponent : {0.0, 0.75, 1.0, 3.5})
+        EXPECT_LT(worst(1e-6, 1,
+                        [&](double base) {
+                            const auto exact = static_cast<long double>(base);
+                            return relative(pow_portable(base, exponent),
+                                            std::pow(exact, static_cast<long double>(exponent))) /
+                                   (1 + std::abs(exponent * std::log(base)));
+                        }),
+                  5e-16)
+            << exponent;
+    EXPECT_EQ(pow_portable(1, 0.75), 1);
+}
+
 TEST(PortableMath, SinesAndCosinesAreRightTo3e16) {
     const auto error = [](double angle) {
         const SineAndCosine of = sin_cos_portable(angle);

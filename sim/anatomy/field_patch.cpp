@@ -9,6 +9,7 @@
 #include "sim/contact/patch_contact.h"
 #include "sim/core/as_index.h"
 #include "sim/core/number_text.h"
+#include "sim/core/portable_math.h"
 
 namespace placode::sim {
 namespace {
@@ -26,7 +27,7 @@ struct PatchLattice {
     explicit PatchLattice(const FieldPatch& patch)
         : columns(std::max(1, static_cast<int>(std::lround(patch.length_m / patch.edge_m)))),
           rows(std::max(1, static_cast<int>(std::lround(patch.width_m / patch.edge_m)))) {
-        const double turn = patch.yaw_deg * kPatchDegree, c = std::cos(turn), s = std::sin(turn);
+        const auto [s, c] = sin_cos_portable(patch.yaw_deg * kPatchDegree);
         for (int j = 0; j <= rows; ++j) {
             for (int i = 0; i <= columns; ++i) {
                 const double x = patch.length_m * (static_cast<double>(i) / columns - 0.5);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "sim/core/portable_math.h"
 #include "sim/core/random.h"
 
 namespace placode::sim {
@@ -70,19 +71,21 @@ Outline::Outline(const Vec2& centre, double a_m, double b_m, const std::array<do
     : centre_(centre), a_m_(a_m), b_m_(b_m), amplitude_(amplitude), phase_(phase) {
     for (int i = 0; i < kOutlinePoints; ++i) {
         const double theta = 2 * std::numbers::pi * i / kOutlinePoints, s = stretch(theta);
-        points_.push_back(centre_ + s * Vec2(a_m_ * std::cos(theta), b_m_ * std::sin(theta)));
+        const SineAndCosine of = sin_cos_portable(theta);
+        points_.push_back(centre_ + s * Vec2(a_m_ * of.cosine, b_m_ * of.sine));
     }
 }
 
 double Outline::stretch(double theta) const {
     double s = 1;
-    for (int k = 0; k < 3; ++k) s += amplitude_[k] * std::cos((k + 2) * theta + phase_[k]);
+    for (int k = 0; k < 3; ++k)
+        s += amplitude_[k] * sin_cos_portable((k + 2) * theta + phase_[k]).cosine;
     return s;
 }
 
 double Outline::rho(const Vec2& p) const {
     const Vec2 q((p.x() - centre_.x()) / a_m_, (p.y() - centre_.y()) / b_m_);
-    return q.norm() / stretch(std::atan2(q.y(), q.x()));
+    return q.norm() / stretch(atan2_portable(q.y(), q.x()));
 }
 
 double Outline::signed_distance(const Vec2& p) const {
@@ -152,10 +155,11 @@ FieldColumn FieldShape::column(const Vec2& p) const {
 
     // Base (the back of the fetus), dome of the lesion, groove, rolled rim, relief.
     // The groove fades out at the placode's edge instead of ending in a step there.
-    const double groove = -spec_.groove_depth_m *
-                          std::exp(-square((p.y() - placode_centre_.y()) / spec_.groove_width_m)) *
-                          smoothstep(0, spec_.blend_placode_m, -d_p);
-    const double rim = spec_.rim_height_m * std::exp(-square(d_s / spec_.rim_width_m));
+    const double groove =
+        -spec_.groove_depth_m *
+        exp_portable(-square((p.y() - placode_centre_.y()) / spec_.groove_width_m)) *
+        smoothstep(0, spec_.blend_placode_m, -d_p);
+    const double rim = spec_.rim_height_m * exp_portable(-square(d_s / spec_.rim_width_m));
     const double relief_amplitude =
         (w_s * spec_.relief_skin_m + w_p * spec_.relief_placode_m) / sum;
     out.top_m = base(p) + dome(p) + groove + rim + relief_amplitude * relief(p);
@@ -180,7 +184,7 @@ double FieldShape::base(const Vec2& p) const {
 
 double FieldShape::dome(const Vec2& p) const {
     const double rho = skin_.rho(p);
-    return rho < 1 ? spec_.dome_height_m * std::pow(1 - rho * rho, spec_.dome_exponent) : 0;
+    return rho < 1 ? spec_.dome_height_m * pow_portable(1 - rho * rho, spec_.dome_exponent) : 0;
 }
 
 void FieldShape::stack_levels(const Vec2& p, FieldColumn& column) const {

@@ -9,6 +9,7 @@
 
 #include "sim/anatomy/planar_delaunay.h"
 #include "sim/core/number_text.h"
+#include "sim/core/portable_math.h"
 #include "sim/mesh/mesh.h"
 
 namespace placode::sim {
@@ -58,8 +59,8 @@ SlitOutline slit_outline(const OperativeFieldSpec& spec, const FieldShape& shape
     const Vec2 aside = Vec2(-half.y(), half.x()).normalized() * slit.width_m / 2;
     std::vector<Vec2> arc;
     for (int i = 0; i <= kArcPoints; ++i) {
-        const double angle = std::numbers::pi * i / kArcPoints;
-        arc.emplace_back(-std::cos(angle), std::sin(angle));
+        const SineAndCosine angle = sin_cos_portable(std::numbers::pi * i / kArcPoints);
+        arc.emplace_back(-angle.cosine, angle.sine);
     }
     arc.front() = Vec2(-1, 0);
     arc.back() = Vec2(1, 0);

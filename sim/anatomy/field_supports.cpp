@@ -7,6 +7,8 @@
 #include <iterator>
 #include <numbers>
 
+#include "sim/core/portable_math.h"
+
 namespace placode::sim {
 
 namespace {
@@ -63,8 +65,9 @@ int32_t column_next_to(const FieldMesh& field, const Vec2& p) {
 void tie_roots(const OperativeFieldSpec& spec, const FieldMesh& field, SoftBodySpec& body) {
     constexpr double kRim = 0.85, kFoot = 1.35, kSlack = 1.15;  // shares of the placode, of a root
     for (int i = 0; i < spec.tethers; ++i) {
-        const double angle = 2 * std::numbers::pi * (i + 0.5) / spec.tethers;
-        const Vec2 edge(spec.placode_a_m * std::cos(angle), spec.placode_b_m * std::sin(angle));
+        const SineAndCosine angle =
+            sin_cos_portable(2 * std::numbers::pi * (i + 0.5) / spec.tethers);
+        const Vec2 edge(spec.placode_a_m * angle.cosine, spec.placode_b_m * angle.sine);
         const Vec2 centre(0, spec.asymmetry_m);
         const int32_t rim = column_next_to(field, centre + kRim * edge);
         const int32_t foot = column_next_to(field, centre + kFoot * edge);

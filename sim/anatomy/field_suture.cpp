@@ -3,8 +3,9 @@
 #include "sim/anatomy/field_suture.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+
+#include "sim/core/portable_math.h"
 
 namespace placode::sim {
 namespace {
@@ -15,8 +16,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 /// The wire goes across the jaws, its swage to the right (+x of T).
 Pose in_jaws(const FieldSuture& start, const Needle& needle, const ToolSpec& driver) {
     const ArcPoint held = needle.at(start.held_share * needle.arc_m());
-    const double a = start.plane_deg * kDegree;
-    const Vec3 back_T = Vec3::UnitX(), radial_T(0, std::cos(a), std::sin(a));
+    const SineAndCosine plane = sin_cos_portable(start.plane_deg * kDegree);
+    const Vec3 back_T = Vec3::UnitX(), radial_T(0, plane.cosine, plane.sine);
     Mat3 to_T, to_N;
     to_T << radial_T, back_T, radial_T.cross(back_T);
     to_N << held.radial, held.back, held.radial.cross(held.back);
@@ -43,8 +44,8 @@ void add_suture(const OperativeFieldSpec& spec, Scene& scene) {
         out.held_arc_m = start.held_share * scene.suture->needle().arc_m();
         out.X_TN = in_jaws(start, scene.suture->needle(), *driver);
     } else {
-        const Eigen::AngleAxisd yaw(start.yaw_deg * kDegree, Vec3::UnitZ());
-        out.X_WN = {start.position_m, Quat(yaw)};
+        const SineAndCosine half = sin_cos_portable(start.yaw_deg * kDegree / 2);
+        out.X_WN = {start.position_m, Quat(half.cosine, 0, 0, half.sine)};
     }
 }
 

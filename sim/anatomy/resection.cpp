@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/core/portable_math.h"
+
 namespace placode::sim {
 
 namespace {
@@ -17,7 +19,7 @@ constexpr double kInside = 0.0004;      // of the outline, before tissue counts 
 constexpr double kGraspIn = 0.0010;     // the place to take hold, from the incised edge [m]
 
 double degrees(const Vec2& p) {
-    const double a = std::atan2(p.y(), p.x()) * 180 / std::numbers::pi;
+    const double a = atan2_portable(p.y(), p.x()) * 180 / std::numbers::pi;
     return a < 0 ? a + 360 : a;
 }
 
@@ -30,8 +32,8 @@ bool within(double angle, double from, double span) {
 
 /// Point of a closed polyline around the origin in the direction `angle`.
 Vec2 at_angle(const std::vector<Vec2>& line, double angle) {
-    const Vec2 ray(std::cos(angle * std::numbers::pi / 180),
-                   std::sin(angle * std::numbers::pi / 180));
+    const SineAndCosine of = sin_cos_portable(angle * std::numbers::pi / 180);
+    const Vec2 ray(of.cosine, of.sine);
     const auto side = [&](const Vec2& p) { return ray.x() * p.y() - ray.y() * p.x(); };
     for (size_t i = 0; i < line.size(); ++i) {
         const Vec2 &a = line[i], &b = line[(i + 1) % line.size()];

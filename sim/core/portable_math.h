@@ -89,6 +89,12 @@ template <size_t N>
     return log_portable(x) * portable::kLog2E;
 }
 
+/// base^exponent. Relative error below 5e-16 (1 + |exponent ln(base)|). @pre base as for
+/// log_portable()
+[[nodiscard]] inline double pow_portable(double base, double exponent) noexcept {
+    return exp_portable(exponent * log_portable(base));
+}
+
 struct SineAndCosine {
     double sine = 0, cosine = 1;
 };
