@@ -146,6 +146,10 @@ void ShellStudyTest::consentNeedsEveryStatement() {
     const QString missing = shell.text("consent_missing");
     QVERIFY2(missing.contains("statements to agree to: ") && missing.contains("signature"),
              qPrintable(missing));
+    // Room for two lines and no more, else half a screen of nothing hides the way out.
+    auto* words = shell.find<QLabel>("consent_missing");
+    QVERIFY2(words->height() <= 3 * words->fontMetrics().height(),
+             qPrintable(QString::number(words->height())));
     shell.shot("61_consent");
     shell.context().setLanguage("pl");
     QVERIFY(shell.arrives(PageId::kStudyRun));

@@ -90,8 +90,9 @@ class ConsentForm : public QWidget {
         if (!on_paper_->isChecked() && pad_->path().isEmpty())
             still << tr("the signature, or the mark that it was signed on paper");
         agree_->setEnabled(still.isEmpty());
-        // It never grows shorter: nothing moves while somebody reaches for a button.
-        missing_->setMinimumHeight(missing_->height());
+        // It never grows shorter: nothing moves while somebody reaches for a button. Before it is
+        // laid out its height is only the one that Qt begins with, half a screen.
+        if (missing_->isVisible()) missing_->setMinimumHeight(missing_->height());
         missing_->setText(still.isEmpty()
                               ? tr("Nothing is missing.")
                               : tr("To consent there is still missing: %1.").arg(still.join("; ")));
