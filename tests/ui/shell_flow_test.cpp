@@ -18,6 +18,7 @@
 #include "haptics/control_layout.h"
 #include "reports/words.h"
 #include "shell_harness.h"
+#include "ui/shell/participant_steps.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
@@ -38,6 +39,7 @@ class ShellFlowTest : public QObject {
     void coordinatorRunsAParticipantAndExports();
     void questionnaireKeepsAnswersWhenTheLanguageChanges();
     void submittedAnswersAreSavedOnceWhenTheLanguageChanges();
+    void reviewSaysAnswersInTheWordsOfTheirLanguage();
     void meansCountWhatTheExportsCount();
     void administratorChecksBacksUpAndReadsTheAudit();
     void deactivatedPersonCannotSignIn();
@@ -252,6 +254,33 @@ void ShellFlowTest::submittedAnswersAreSavedOnceWhenTheLanguageChanges() {
     shell.takeBackNext("first password");
     QVERIFY(shell.click("participant_done"));
     QVERIFY(shell.arrives(PageId::kStudies));
+}
+
+// It said "1 of 5", which may be the best and the worst, and "3.5 years" to Poles.
+void ShellFlowTest::reviewSaysAnswersInTheWordsOfTheirLanguage() {
+    ShellHarness& shell = *shell_;
+    const auto asked = curriculum::load_questionnaire("demographics");
+    const curriculum::Answers answers{
+        {"age", "42"}, {"operative_years", "3.5"}, {"interest_vr", "2"}};
+    const auto said = [&] {
+        const std::unique_ptr<QWidget> step(
+            make_review_step(shell.context(), asked, answers,
+                             [](const curriculum::QuestionnaireItem&) { return QString(); }));
+        QStringList words;
+        for (const QLabel* label : step->findChildren<QLabel*>()) words << label->text();
+        return words;
+    };
+    const QStringList english = said();
+    for (const char* words : {"42 years", "3.5 years", "2  disagree"})
+        QVERIFY2(english.contains(words), qPrintable(english.join(" | ")));
+    shell.context().setLanguage("pl");
+    const QStringList polish = said();
+    for (const char* words : {"42 lata", "3,5 roku"})
+        QVERIFY2(polish.contains(words), qPrintable(polish.join(" | ")));
+    QCOMPARE(with_unit("99", "years"), QString("99 lat"));
+    QCOMPARE(with_unit("99", "kg"), QString("99 kg"));
+    shell.context().setLanguage("en");
+    QCOMPARE(with_unit("1", "years"), QString("1 year"));
 }
 
 void ShellFlowTest::meansCountWhatTheExportsCount() {

@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QGridLayout>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QRegularExpressionValidator>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <memory>
 
+#include "ui/shell/participant_steps.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
@@ -330,10 +332,10 @@ class AnswerFields {
             edit));
         edit->setObjectName("answer_" + qstr(item_.id));
         edit->setAccessibleName(context_.in(item_.text));
-        edit->setPlaceholderText(tr("%1 to %2 %3")
-                                     .arg(QString::number(item_.number_min),
-                                          QString::number(item_.number_max), qstr(item_.unit))
-                                     .trimmed());
+        const auto said = [](double limit) { return QLocale().toString(limit, 'g', 6); };
+        edit->setPlaceholderText(
+            tr("%1 to %2")
+                .arg(said(item_.number_min), with_unit(said(item_.number_max), item_.unit)));
         edit->setMaximumWidth(240);
         // A comma is a decimal point to half of Europe; the store always holds '.'.
         QObject::connect(edit, &QLineEdit::textChanged, field_.owner,

@@ -19,6 +19,19 @@ struct ParticipantWords {
     Q_DECLARE_TR_FUNCTIONS(ParticipantPage)
 };
 
+/// With the words that the value had where it was chosen: 1 may be the best and the worst.
+QString likert_words(const AppContext& context, const QuestionnaireItem& item,
+                     const QString& given) {
+    const int value = given.toInt();
+    if (!item.point_labels.empty())
+        return given + "  " +
+               context.in(item.point_labels.at(static_cast<size_t>(value - item.scale_min)));
+    const QString words = ParticipantWords::tr("%1 of %2").arg(given).arg(item.scale_max);
+    if (value == item.scale_min) return words + ", " + context.in(item.anchor_low);
+    if (value == item.scale_max) return words + ", " + context.in(item.anchor_high);
+    return words;
+}
+
 /// An answer as it is read in the review.
 QString answer_words(const AppContext& context, const QuestionnaireItem& item,
                      const QString& given) {
@@ -33,12 +46,21 @@ QString answer_words(const AppContext& context, const QuestionnaireItem& item,
         return chosen.join(", ");
     }
     if (item.kind == ItemKind::kChoice) return context.in(item.choices.at(given.toUInt()));
-    if (item.kind == ItemKind::kLikert)
-        return ParticipantWords::tr("%1 of %2").arg(given).arg(item.scale_max);
-    return item.unit.empty() ? given : given + " " + qstr(item.unit);
+    if (item.kind == ItemKind::kLikert) return likert_words(context, item, given);
+    if (item.kind != ItemKind::kNumber && item.kind != ItemKind::kVisualAnalogue) return given;
+    return with_unit(QString(given).replace('.', QLocale().decimalPoint()), item.unit);
 }
 
 }  // namespace
+
+QString with_unit(const QString& number, const std::string& unit) {
+    if (unit.empty()) return number;
+    if (unit != "years") return number + " " + qstr(unit);
+    bool whole = false;
+    const int years = number.toInt(&whole);
+    return whole ? ParticipantWords::tr("%n year(s)", nullptr, years)
+                 : ParticipantWords::tr("%1 years", "a number that is not whole").arg(number);
+}
 
 QString answer_problem(const AppContext& context, const QuestionnaireItem& item,
                        const QString& answer) {
@@ -48,12 +70,9 @@ QString answer_problem(const AppContext& context, const QuestionnaireItem& item,
     const auto said = [](double limit) { return QLocale().toString(limit, 'g', 6); };
     switch (item.kind) {
         case ItemKind::kNumber:
-        case ItemKind::kVisualAnalogue: {
-            const QString unit = item.unit.empty() ? QString() : " " + qstr(item.unit);
+        case ItemKind::kVisualAnalogue:
             return ParticipantWords::tr("%1: a number from %2 to %3")
-                       .arg(name, said(item.number_min), said(item.number_max)) +
-                   unit;
-        }
+                .arg(name, said(item.number_min), with_unit(said(item.number_max), item.unit));
         case ItemKind::kDate:
             return ParticipantWords::tr("%1: a date such as 2026-11-21").arg(name);
         default:

@@ -11,6 +11,10 @@
 
 namespace placode::ui {
 
+/// A number as people read it, with its unit in their language. Every other unit than "years" is a
+/// symbol, the same everywhere.
+[[nodiscard]] QString with_unit(const QString& number, const std::string& unit);
+
 /// What would be right, in the words of the question; empty when `answer` is, or there is none.
 [[nodiscard]] QString answer_problem(const AppContext& context,
                                      const curriculum::QuestionnaireItem& item,

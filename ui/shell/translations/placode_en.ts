@@ -12,6 +12,16 @@
     </message>
 </context>
 <context>
+    <name>ParticipantPage</name>
+    <message numerus="yes">
+        <source>%n year(s)</source>
+        <translation>
+            <numerusform>%n year</numerusform>
+            <numerusform>%n years</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>RetentionCard</name>
     <message numerus="yes">
         <source>Erase the records of %n participant(s)?</source>

@@ -4115,8 +4115,21 @@
         <translation>Drugie wprowadzenie z papieru, %1: pierwsze nie jest pokazywane.</translation>
     </message>
     <message>
-        <source>%1 to %2 %3</source>
-        <translation>od %1 do %2 %3</translation>
+        <source>%1 to %2</source>
+        <translation>od %1 do %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n year(s)</source>
+        <translation>
+            <numerusform>%n rok</numerusform>
+            <numerusform>%n lata</numerusform>
+            <numerusform>%n lat</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 years</source>
+        <comment>a number that is not whole</comment>
+        <translation>%1 roku</translation>
     </message>
     <message>
         <source>Saving the second entry</source>
