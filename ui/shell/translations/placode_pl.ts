@@ -5031,7 +5031,7 @@
     </message>
     <message>
         <source>before: none lost</source>
-        <translation>wcześniej: bez strat</translation>
+        <translation>przedtem: bez strat</translation>
     </message>
     <message>
         <source>before: −%1</source>
