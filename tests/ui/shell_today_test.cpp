@@ -24,6 +24,7 @@ class ShellTodayTest : public QObject {
 
     void anotherTraineesChoiceIsNotMine();
     void aFinishedCourseGivesWayToOneThatIsToBeDone();
+    void cardsStayAsHighAsTheirWords();
 
  private:
     [[nodiscard]] int64_t person(const std::string& login) const;
@@ -95,6 +96,23 @@ void ShellTodayTest::anotherTraineesChoiceIsNotMine() {
     QCOMPARE(today(), std::string("of_both"));
     QVERIFY(shell_->signIn("anna", kPassword));
     QCOMPARE(today(), std::string("first_steps"));
+}
+
+// Without a chart below them they took half of what was left of the window, and stood there empty.
+void ShellTodayTest::cardsStayAsHighAsTheirWords() {
+    (void)person("eva");
+    QVERIFY(shell_->signIn("eva", kPassword));
+    shell_->window().open({PageId::kToday, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kToday));
+    const auto height = [&](int window) {
+        shell_->window().resize(1600, window);
+        QTest::qWait(200);
+        const auto* words = shell_->find<QLabel>("today_streak");
+        return words != nullptr ? words->parentWidget()->height() : -1;
+    };
+    const int low = height(800), high = height(1000);
+    QVERIFY(low > 0);
+    QCOMPARE(high, low);
 }
 
 void ShellTodayTest::aFinishedCourseGivesWayToOneThatIsToBeDone() {

@@ -37,7 +37,7 @@ class TodayPage : public Page {
         row->addWidget(courseCard(), 1);
         column->addLayout(row);
         if (training_.attempts.size() >= 2) column->addWidget(chartCard());
-        column->addStretch();
+        column->addStretch(1);  // All of the room below: else the cards grow with the window.
     }
 
     [[nodiscard]] QString title() const override { return tr("Today"); }
