@@ -112,6 +112,19 @@ TEST_F(Programs, TheDemonstrationIsMadeOnceAndACancelledAttemptLeavesNothing) {
         EXPECT_EQ(entry.path().string().find("placode-demo-"), std::string::npos) << entry;
 }
 
+TEST_F(Programs, ADeviceIsTriedAndLetGoAlsoWhereNobodyReadsItsLines) {
+    // A pipe without room, whose reader sleeps. What cannot be ended is killed: status 137.
+    write_text(file("trial.sh"),
+               "mkfifo lines pedal\n"
+               "exec 3<>lines\n"
+               "head -c 65536 /dev/zero >&3\n"
+               "{ sleep 1; echo quit; } | timeout -s KILL 30 '" PLACODE_BIN_DIR
+               "/placode-sim' --test-device pedals:pedal > lines\n");
+    const Outcome trial = shell("sh trial.sh");
+    EXPECT_EQ(trial.status, 0) << trial.err;
+    EXPECT_EQ(trial.err, "");
+}
+
 TEST_F(Programs, ADeviceThatIsNotThereIsNamedWithWhatThereIs) {
     for (const char* device : {"warp", "openhaptics"}) {
         const Outcome outcome =

@@ -3,12 +3,12 @@
 // placode-sim --test-device: a device by itself, for the shell's page of devices and for a bench.
 
 #include <chrono>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "haptics/catalogue/device_trial.h"
 #include "haptics/pedal_watch.h"
+#include "ui/attempt/line_output.h"
 #include "ui/attempt/sessions.h"
 
 namespace placode::ui {
@@ -18,10 +18,10 @@ using Json = nlohmann::ordered_json;
 constexpr auto kEvery = std::chrono::milliseconds(50);
 constexpr std::string_view kPedals = "pedals";
 
-void print(const Json& object) {
-    const std::string text = object.dump(-1, ' ', false, Json::error_handler_t::replace);
-    std::printf("%s\n", text.c_str());
-    std::fflush(stdout);
+/// A reader that hangs must not keep the loop from `quit`, from a signal or from the end of the
+/// input: each of them takes the force off.
+void print(LineOutput& output, const Json& object) {
+    output.send(object.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 const char* status_word(const haptics::DeviceState& state) {
@@ -105,14 +105,15 @@ int test_pedals(const std::string& named) {
         throw UsageError(
             "--test-device pedals: none is set; name one, pedals:/dev/input/by-id/...-event-kbd");
     haptics::PedalWatch watch(path);
+    LineOutput output;
     return until_told([](const std::string&) {},
                       [&](double time_s) {
                           const bool there = watch.poll();
-                          print({{"t_s", time_s},
-                                 {"pedals", watch.path()},
-                                 {"connected", there},
-                                 {"key", watch.last_key()},
-                                 {"pressed", watch.pressed()}});
+                          print(output, {{"t_s", time_s},
+                                         {"pedals", watch.path()},
+                                         {"connected", there},
+                                         {"key", watch.last_key()},
+                                         {"pressed", watch.pressed()}});
                       });
 }
 
@@ -123,6 +124,7 @@ int test_arms(const Arguments& arguments) {
     settings.force_n = arguments.test_force_n;
     haptics::DeviceTrial trial(settings);
     trial.start();
+    LineOutput output;
     std::string problem;
     const auto command = [&](const std::string& line) {
         problem.clear();
@@ -136,7 +138,7 @@ int test_arms(const Arguments& arguments) {
     const int status = until_told(command, [&](double time_s) {
         Json object = report_json(trial.report(), time_s);
         if (!problem.empty()) object["problem"] = problem;
-        print(object);
+        print(output, object);
     });
     trial.stop();
     return status;

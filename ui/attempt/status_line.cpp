@@ -2,14 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/attempt/status_line.h"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/stat.h>
-
-#include <algorithm>
-#include <cerrno>
-#include <climits>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "ui/attempt/picture_pace.h"
@@ -64,55 +56,12 @@ std::string reason_text(sim::EndReason reason) {
     return "unknown";
 }
 
-StatusLine::StatusLine(bool enabled, int stream) : enabled_(enabled) {
-    struct stat kind {};
-    if (!enabled || ::fstat(stream, &kind) != 0 || !S_ISFIFO(kind.st_mode)) return;
-    // Opened anew: O_NONBLOCK of a descriptor that was inherited holds for every program that
-    // shares it, and beyond the end of this one.
-    const std::string path = "/proc/self/fd/" + std::to_string(stream);
-    pipe_ = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
-    // Where that is not allowed: `send` asks for room before it writes.
-    if (pipe_ < 0) pipe_ = ::fcntl(stream, F_DUPFD_CLOEXEC, 0);
-}
-
-StatusLine::~StatusLine() {
-    if (pipe_ >= 0) ::close(pipe_);
-}
-
-/// As much as the pipe takes. Up to PIPE_BUF bytes go as a whole or not at all; of a longer line
-/// the rest comes before the next one.
-void StatusLine::send(const std::string& line, std::chrono::milliseconds patience) {
-    if (pipe_ < 0) {
-        std::fputs(line.c_str(), stdout);
-        std::fflush(stdout);
-        return;
-    }
-    using std::chrono::steady_clock;
-    rest_ += line;
-    const auto until = steady_clock::now() + patience;
-    while (!rest_.empty()) {
-        const auto left =
-            std::chrono::duration_cast<std::chrono::milliseconds>(until - steady_clock::now());
-        const int wait_ms = std::max(0, static_cast<int>(left.count()));
-        pollfd room{pipe_, POLLOUT, 0};
-        const int ready = ::poll(&room, 1, wait_ms);
-        if (ready < 0 && errno == EINTR) continue;
-        if (ready <= 0) break;
-        const ssize_t sent = ::write(pipe_, rest_.data(), std::min<size_t>(rest_.size(), PIPE_BUF));
-        if (sent > 0) {
-            rest_.erase(0, static_cast<size_t>(sent));
-        } else if (errno != EAGAIN && errno != EINTR) {
-            rest_.clear();  // nobody reads any more
-        } else if (wait_ms == 0) {
-            break;
-        }
-    }
-    // Nothing of it has gone out: it is dropped.
-    if (rest_.size() >= line.size()) rest_.resize(rest_.size() - line.size());
+StatusLine::StatusLine(bool enabled, int stream) {
+    if (enabled) output_.emplace(stream);
 }
 
 void StatusLine::print(const curriculum::AttemptStatus& status, bool now) {
-    if (!enabled_) return;
+    if (!output_) return;
     const double t = monotonic_s();
     if (!now && last_s_ >= 0 && t - last_s_ < 0.1) return;
     last_s_ = t;
@@ -125,13 +74,13 @@ void StatusLine::print(const curriculum::AttemptStatus& status, bool now) {
         object["camera"] = replay_->camera;
         if (!replay_->problem.empty()) object["problem"] = replay_->problem;
     }
-    send(line_of(object), {});
+    output_->send(line_of(object));
 }
 
 void StatusLine::end(const curriculum::AttemptStatus& status, const std::string& reason,
                      const std::string& recording, const std::string& detail,
                      const std::string& haptics) {
-    if (!enabled_) return;
+    if (!output_) return;
     nlohmann::ordered_json object = fields(status);
     object["end"] = reason;
     object["recording"] =
@@ -142,7 +91,7 @@ void StatusLine::end(const curriculum::AttemptStatus& status, const std::string&
         const auto certificate = nlohmann::ordered_json::parse(haptics, nullptr, false);
         if (!certificate.is_discarded()) object["haptics"] = certificate;
     }
-    send(line_of(object), kPatience);
+    output_->send(line_of(object), kPatience);
 }
 
 }  // namespace placode::ui

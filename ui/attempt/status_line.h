@@ -10,6 +10,7 @@
 #include <string>
 
 #include "curriculum/attempt_runner.h"
+#include "ui/attempt/line_output.h"
 
 namespace placode::ui {
 
@@ -29,9 +30,6 @@ class StatusLine {
  public:
     /// `stream`: where the lines go, standard output but for tests; stays open.
     explicit StatusLine(bool enabled, int stream = STDOUT_FILENO);
-    ~StatusLine();
-    StatusLine(const StatusLine&) = delete;
-    StatusLine& operator=(const StatusLine&) = delete;
     void set_replay(const ReplayStatus& replay) { replay_ = replay; }
     /// At most ten times a second unless `now`.
     void print(const curriculum::AttemptStatus& status, bool now = false);
@@ -43,11 +41,7 @@ class StatusLine {
     static constexpr std::chrono::milliseconds kPatience{3000};
 
  private:
-    void send(const std::string& line, std::chrono::milliseconds patience);
-
-    bool enabled_;
-    int pipe_ = -1;     // where the lines go; -1 = no pipe, by stdio
-    std::string rest_;  // of a line that the pipe took in part
+    std::optional<LineOutput> output_;
     std::optional<ReplayStatus> replay_;
     double last_s_ = -1;  // monotonic
 };
