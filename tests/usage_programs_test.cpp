@@ -103,6 +103,10 @@ TEST_F(Usage, AMisspeltWordIsAnsweredWithTheOneThatWasMeant) {
     EXPECT_THAT(run("placode", "--stroe x", "QT_QPA_PLATFORM=offscreen").err,
                 HasSubstr("did you mean \"--store\""));
     EXPECT_EQ(run("placode", "--stroe x", "QT_QPA_PLATFORM=offscreen").status, 2);
+    // What the help offers is answered, and begins no session.
+    EXPECT_THAT(run("placode", "--help").out,
+                AllOf(HasSubstr("-h, --help"), HasSubstr("--store"), Not(HasSubstr("--help-all"))));
+    EXPECT_EQ(run("placode", "--help-all", "QT_QPA_PLATFORM=offscreen").status, 2);
 }
 
 TEST_F(Usage, AStrangeWordIsNotGuessedAt) {
@@ -153,17 +157,33 @@ TEST_F(Usage, OutputThatDoesNotFitOnTheDiskIsAFailure) {
         EXPECT_THAT(full.err, StartsWith("placodectl: standard output: cannot be written (No "))
             << line;
     }
+    for (const std::string other : {"placode-sim", "placode-web", "placode"})
+        for (const char* asked : {" --help", " --version"}) {
+            write_text(file("full.sh"),
+                       "'" PLACODE_BIN_DIR "/" + other + "'" + asked + " > /dev/full\n");
+            const Outcome full = shell("sh full.sh");
+            EXPECT_EQ(full.status, 1) << other << asked;
+            EXPECT_THAT(full.err, HasSubstr(other + ": standard output: cannot be written"))
+                << other << asked;
+        }
+    for (const char* asked : {"--list-devices", "--limits-file", "--station-file"}) {
+        write_text(file("full.sh"),
+                   std::string("'" PLACODE_BIN_DIR "/placode-sim' ") + asked + " > /dev/full\n");
+        EXPECT_EQ(shell("sh full.sh").status, 1) << asked;
+    }
     write_text(file("full.sh"), program + "--json contour none.csv none.csv > /dev/full\n");
     EXPECT_EQ(shell("sh full.sh").status, 2) << "the first trouble counts";
     // A reader that has seen enough, also where its signal is ignored.
-    for (const char* trap : {"", "trap '' PIPE\n"}) {
-        write_text(file("pipe.sh"),
-                   trap + ("{ sleep 0.3; " + program + "--help; echo $? > status; } | true\n"));
-        const Outcome closed = shell("sh pipe.sh");
-        EXPECT_EQ(closed.status, 0) << trap;
-        EXPECT_EQ(closed.err, "") << trap;
+    for (const std::string each : {"placodectl", "placode-sim", "placode-web", "placode"}) {
+        for (const char* trap : {"", "trap '' PIPE\n"}) {
+            write_text(file("pipe.sh"), trap + ("{ sleep 0.3; '" PLACODE_BIN_DIR "/" + each +
+                                                "' --help; echo $? > status; } | true\n"));
+            const Outcome closed = shell("sh pipe.sh");
+            EXPECT_EQ(closed.status, 0) << each << trap;
+            EXPECT_EQ(closed.err, "") << each << trap;
+        }
+        EXPECT_EQ(read_text(file("status")), "0\n") << each << ": where no signal ends it";
     }
-    EXPECT_EQ(read_text(file("status")), "0\n") << "of the last, where no signal ends it";
 }
 
 TEST_F(Usage, WhereNothingCanBeWrittenIsSaidBeforeTheWork) {

@@ -16,6 +16,7 @@
 #include "haptics/gamepad_search.h"
 #include "haptics/pedal_watch.h"
 #include "haptics/real_time.h"
+#include "ui/arrived.h"
 #include "ui/attempt/sessions.h"
 #include "ui/diagnostics/crash_report.h"
 #include "ui/view/gl_program.h"
@@ -165,7 +166,7 @@ int main(int argc, char** argv) {
         return status;
     };
     try {
-        return placode::ui::run(argc, argv);
+        return placode::ui::arrived("placode-sim", placode::ui::run(argc, argv));
     } catch (const placode::ui::UsageError& error) {
         return complain(error, 2);
     } catch (const placode::curriculum::DefinitionError& error) {

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "sim/core/near_word.h"
+#include "ui/arrived.h"
 #include "ui/diagnostics/crash_report.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/page_tour.h"
@@ -120,7 +121,8 @@ int main(int argc, char** argv) {
     QApplication::setApplicationVersion(placode::ui::version_text());
     QCommandLineParser parser;
     parser.setApplicationDescription("Training and assessment for fetoscopic spina bifida repair.");
-    parser.addHelpOption();
+    // Qt's own would bring --help-all, which only a parser that ends the program answers.
+    parser.addOption({{"h", "help"}, "Displays help on commandline options."});
     parser.addVersionOption();
     parser.addOptions({{"store", "Store to open (sqlite:PATH, postgresql://...).", "URL"},
                        {"data", "Folder with tasks, scenes, courses and questionnaires.", "FOLDER"},
@@ -132,8 +134,15 @@ int main(int argc, char** argv) {
                         "LOGIN"}});
     // Our own words for what is wrong, and status 2 as with the other programs.
     const bool understood = parser.parse(QApplication::arguments());
-    if (parser.isSet("help")) parser.showHelp(0);
-    if (parser.isSet("version")) parser.showVersion();
+    // QCommandLineParser would end the program itself, whether or not its text has arrived.
+    if (parser.isSet("help")) {
+        std::fputs(qPrintable(parser.helpText()), stdout);
+        return placode::ui::arrived("placode", 0);
+    }
+    if (parser.isSet("version")) {
+        std::printf("placode %s\n", placode::ui::version_text());
+        return placode::ui::arrived("placode", 0);
+    }
     if (!understood || !parser.positionalArguments().isEmpty()) return complain(parser);
     const auto one_of = [&](const char* name, const QStringList& known) {
         if (!parser.isSet(name) || known.contains(parser.value(name))) return true;
@@ -155,7 +164,8 @@ int main(int argc, char** argv) {
         window, context.settings().value(placode::ui::MainWindow::kGeometrySetting).toByteArray());
     window.begin();
     if (parser.isSet("time-pages"))
-        return placode::ui::measure_pages(context, window, parser.value("time-pages"));
+        return placode::ui::arrived(
+            "placode", placode::ui::measure_pages(context, window, parser.value("time-pages")));
     const int status = QApplication::exec();
     placode::ui::log_note("ended", {{"exit_status", status}});
     return status;

@@ -19,6 +19,7 @@
 #include "curriculum/utc_time.h"
 #include "db/reading_store.h"
 #include "db/store_url.h"
+#include "ui/arrived.h"
 #include "ui/diagnostics/crash_report.h"
 #include "ui/lti/settings.h"
 #include "ui/lti/web_token.h"
@@ -188,7 +189,7 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return app.exit(help);
+        return ui::arrived("placode-web", app.exit(help));
     } catch (const CLI::ParseError& error) {
         return fail(2, ui::usage_message(app, error));
     }
