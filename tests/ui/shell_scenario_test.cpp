@@ -5,8 +5,8 @@
 // question; report and every export come out, are validated, and agree with each other and with
 // the store.
 //
-// Procedures are real attempts of placode-sim, cut short after 5 to 9 s, when something was done:
-// the others count in no analysis. PLACODE_SCENARIO_PARTICIPANTS=4 is quicker,
+// Procedures are real attempts of placode-sim, on large elements and cut short after 5 to 9 s, when
+// something was done: the others count in no analysis. PLACODE_SCENARIO_PARTICIPANTS=4 is quicker,
 // PLACODE_SCENARIO_SECONDS=600 lets every operator finish.
 
 #include <QFileInfo>
@@ -84,7 +84,8 @@ void ShellScenarioTest::initTestCase() {
     QVERIFY(QTest::qWaitFor([&] { return shell_->find<QPushButton>("enrol") != nullptr; }, 10000));
     // The minute that a procedure must last is too long for a test, and the ring's field too large:
     // every attempt is computed twice.
-    publish_short_study(store(), kStudy, {}, "diathermy_ring_small");
+    publish_short_ring(store(), shell_->path("data").toStdString());
+    publish_short_study(store(), kStudy, {}, kShortRing);
     shell_->window().open({PageId::kStudies, 0, {}, {}});
     QVERIFY(shell_->arrives(PageId::kStudies));
 }
