@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings in the store, read back: a store that was a backup may come from anybody.
 
-#include <QSaveFile>
 #include <optional>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "db/packing.h"
 #include "db/recording_chunks.h"
 #include "db/store_context.h"
+#include "db/whole_file.h"
 
 namespace placode::db {
 namespace {
@@ -91,7 +91,7 @@ void Attempts::extract_recording(int64_t attempt_id, const std::string& path) {
         connection_.fail(Kind::kDamaged,
                          "the recording in the store is damaged; a backup may still have it");
     // Written beside and renamed: never half a file.
-    QSaveFile out(QString::fromStdString(path));
+    WholeFile out(QString::fromStdString(path));
     if (!out.open(QIODevice::WriteOnly) ||
         out.write(reinterpret_cast<const char*>(file.data()), static_cast<qint64>(file.size())) !=
             static_cast<qint64>(file.size()) ||

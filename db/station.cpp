@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <QFile>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <algorithm>
 #include <cerrno>
@@ -20,6 +19,7 @@
 #include "db/packing.h"
 #include "db/said.h"
 #include "db/store_error.h"
+#include "db/whole_file.h"
 
 namespace placode::db {
 namespace {
@@ -202,7 +202,7 @@ std::vector<Station::Head> Station::heads() const {
 
 void Station::remember(const Head& head) const noexcept {
     for (const std::string& path : head_paths_) {
-        QSaveFile file(QString::fromStdString(path));
+        WholeFile file(QString::fromStdString(path));
         if (!file.open(QIODevice::WriteOnly)) continue;
         file.write((std::to_string(head.entry) + " " + head.chain + "\n").c_str());
         file.commit();

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/trail_head.h"
 
-#include <QSaveFile>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +11,7 @@
 #include "db/durable_file.h"
 #include "db/signature.h"
 #include "db/store_error.h"
+#include "db/whole_file.h"
 
 namespace placode::db {
 namespace {
@@ -68,7 +68,7 @@ void write_trail_head(const TrailHead& head, const std::string& path) {
         throw StoreError(Kind::kConflict,
                          path + " exists and is not overwritten; give another name");
     // In one step: a half of it beside a backup would keep that from being restored.
-    QSaveFile file(QString::fromStdString(path));
+    WholeFile file(QString::fromStdString(path));
     const std::string text = trail_head_text(head);
     if (!file.open(QIODevice::WriteOnly) ||
         file.write(text.data(), static_cast<qint64>(text.size())) < 0 || !file.commit())

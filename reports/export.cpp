@@ -6,13 +6,13 @@
 
 #include <QCryptographicHash>
 #include <QFile>
-#include <QSaveFile>
 #include <QString>
 #include <algorithm>
 #include <filesystem>
 
 #include "db/private_file.h"
 #include "db/recording_file.h"
+#include "db/whole_file.h"
 #include "reports/formats.h"
 #include "reports/report.h"
 
@@ -115,7 +115,7 @@ void make_private_folder(const std::string& folder) {
 
 namespace {
 
-void save(QSaveFile& file, const std::string& path, const std::string& bytes) {
+void save(db::WholeFile& file, const std::string& path, const std::string& bytes) {
     const auto size = static_cast<qint64>(bytes.size());
     if (file.open(QIODevice::WriteOnly) && file.write(bytes.data(), size) == size && file.commit())
         return;
@@ -126,7 +126,7 @@ void save(QSaveFile& file, const std::string& path, const std::string& bytes) {
 }  // namespace
 
 void save_file(const std::string& path, const std::string& bytes) {
-    QSaveFile file(QString::fromStdString(path));
+    db::WholeFile file(QString::fromStdString(path));
     save(file, path, bytes);
 }
 

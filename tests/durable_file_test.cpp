@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "db/private_file.h"
 #include "tests/durable_store.h"
 
 using namespace placode;
@@ -81,6 +82,33 @@ TEST_F(DurableFile, ADiskWithoutRoomIsSaidWithItsFolder) {
     EXPECT_EQ(error.kind(), StoreError::Kind::kUnavailable);
     EXPECT_THAT(error.what(), HasSubstr("(folder " + folder->path().string() + ")"));
     EXPECT_THAT(error.what(), AnyOf(HasSubstr("make room and try again"), HasSubstr("check it")));
+}
+
+/// What is written while the disk takes no more than `room` bytes in a file.
+bool kept_with(rlim_t room, const std::string& path, const std::string& text) {
+    rlimit before{}, none{room, RLIM_INFINITY};
+    EXPECT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    none.rlim_max = before.rlim_max;
+    ::signal(SIGXFSZ, SIG_IGN);
+    EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &none), 0);
+    db::PrivateFile file(path);
+    const bool kept =
+        file.open(QIODevice::WriteOnly) && file.write(text.c_str()) > 0 && file.commit();
+    EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    EXPECT_TRUE(kept || !file.errorString().isEmpty());
+    return kept;
+}
+
+// Short ones leave a buffer only at the end, long ones go in one call, which takes a part of them.
+TEST_F(DurableFile, AFileThatTheDiskDoesNotTakeWholeIsNotPutInPlaceOfTheOld) {
+    begin_again();
+    const std::string path = folder->file("key.txt");
+    ASSERT_TRUE(kept_with(RLIM_INFINITY, path, "as it was"));
+    for (const size_t size : {size_t{100}, size_t{16384}, size_t{100000}})
+        for (const rlim_t room : {rlim_t{0}, rlim_t{50}}) {
+            EXPECT_FALSE(kept_with(room, path, std::string(size, 'x'))) << size << " " << room;
+            EXPECT_EQ(read_text(path), "as it was") << size << " " << room;
+        }
 }
 
 // A copy that fills the store's own disk takes the store with it.

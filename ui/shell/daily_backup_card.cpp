@@ -5,9 +5,9 @@
 #include <QDateTime>
 #include <QDir>
 #include <QProcess>
-#include <QSaveFile>
 #include <QStandardPaths>
 
+#include "db/whole_file.h"
 #include "ui/shell/details.h"
 #include "ui/shell/parts.h"
 
@@ -59,7 +59,7 @@ QString keep_drop_in(const QByteArray& text) {
         return !old.exists() || old.remove() ? QString() : path + ": " + old.errorString();
     }
     QDir().mkpath(QFileInfo(path).path());
-    QSaveFile file(path);
+    db::WholeFile file(path);
     const bool kept =
         file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
     return kept ? QString() : path + ": " + file.errorString();

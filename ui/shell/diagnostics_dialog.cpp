@@ -9,10 +9,10 @@
 #include <QFile>
 #include <QHBoxLayout>
 #include <QPlainTextEdit>
-#include <QSaveFile>
 #include <QScrollBar>
 #include <utility>
 
+#include "db/whole_file.h"
 #include "ui/diagnostics/crash_report.h"
 #include "ui/shell/dialog_frame.h"
 #include "ui/shell/notices.h"
@@ -119,7 +119,7 @@ class DiagnosticsDialog : public QDialog {
         const QString path =
             context_.askSaveFile(this, tr("Save a copy"), name, tr("Text (*.txt)"));
         if (path.isEmpty()) return;
-        QSaveFile file(path);
+        db::WholeFile file(path);
         const bool written = file.open(QIODevice::WriteOnly) &&
                              file.write(text_->toPlainText().toUtf8()) >= 0 && file.commit();
         if (!written)
