@@ -107,6 +107,29 @@ TEST_F(ExportPrograms, NothingLeavesWithoutItsEntryInTheTrail) {
     EXPECT_EQ(fs::file_size(file("blocked")), 0u);
 }
 
+TEST_F(ExportPrograms, AReportIsWrittenOverNoRecordingAndUnderNoNameOfAnotherKind) {
+    fill_store();
+    ASSERT_FALSE(HasFatalFailure());
+    write_text(file("own.placode"), "the only one of its attempt");
+    const Outcome over =
+        ctl("--as zofia report seal 1 --out s.txt --recording own.placode", kRight);
+    EXPECT_EQ(over.status, 2);
+    EXPECT_THAT(over.err, HasSubstr("--recording: own.placode exists and is not overwritten; "));
+    EXPECT_EQ(read_text(file("own.placode")), "the only one of its attempt");
+    EXPECT_FALSE(fs::exists(file("s.txt")));
+    EXPECT_EQ(ctl("--as zofia report seal 1 --out s.txt --recording new.placode", kRight).status,
+              0);
+    EXPECT_TRUE(fs::exists(file("new.placode")));
+    for (const char* command : {"--as zofia report attempt 1 --out a.png",
+                                "--as carl report study pilot/1 --out a.png"}) {
+        const Outcome named = ctl(command, kRight);
+        EXPECT_EQ(named.status, 2) << command;
+        EXPECT_THAT(named.err, HasSubstr("--out: found \"a.png\"; expected FILE.pdf")) << command;
+    }
+    EXPECT_FALSE(fs::exists(file("a.png")));
+    EXPECT_EQ(ctl("--as zofia report attempt 1 --out A.PDF", kRight).status, 0);
+}
+
 TEST_F(ExportPrograms, WhatLeavesIsForItsOwnerAlone) {
     fill_store();
     ASSERT_FALSE(HasFatalFailure());

@@ -5,7 +5,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -47,7 +50,25 @@ db::AttemptDetail need_attempt(Session& session, const std::string& command,
     return attempt;
 }
 
+/// What is written is a PDF, whatever it is called. @throws InputError
+void need_pdf_name(const std::string& path) {
+    std::string end = std::filesystem::path(path).extension().string();
+    std::transform(end.begin(), end.end(), end.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (end == ".pdf") return;
+    throw InputError("--out: found \"" + path +
+                     "\"; expected FILE.pdf (figures as SVG, PNG and CSV: `report study "
+                     "--figures FOLDER`)");
+}
+
+/// A recording that is there may be the only one of its attempt. @throws InputError
+void need_new_recording(const std::string& path) {
+    if (path.empty() || !std::filesystem::exists(std::filesystem::symlink_status(path))) return;
+    throw InputError("--recording: " + path + " exists and is not overwritten; give another name");
+}
+
 int report_seal(const Context& context, const ReportOptions& options) {
+    need_new_recording(options.recording);
     Session session(context, Missing::kRefuse);
     const int64_t id = need_attempt(session, "report seal", options.id).record.id;
     const ScratchFolder scratch;
@@ -66,6 +87,7 @@ int report_seal(const Context& context, const ReportOptions& options) {
 }
 
 int report_attempt(const Context& context, const ReportOptions& options) {
+    need_pdf_name(options.out);
     Session session(context, Missing::kRefuse);
     const db::AttemptDetail attempt = need_attempt(session, "report attempt", options.id);
     const int64_t id = attempt.record.id;
@@ -90,6 +112,7 @@ std::string figures_folder(const ReportOptions& options) {
 }
 
 int report_study(const Context& context, const ReportOptions& options) {
+    need_pdf_name(options.out);
     Session session(context, Missing::kRefuse);
     session.need(Action::kExportStudy, Scope::kOther);
     if (session.store().studies().participants(options.id).empty())
@@ -205,8 +228,9 @@ void add_report_commands(CLI::App& app, Context& context) {
         "What this centre states about an attempt, signed; examples/check_seal.py checks it");
     seal->add_option("ID", options->id, "Number, see `placodectl attempts`")->required();
     seal->add_option("--out", options->out, "FILE.txt")->required();
-    seal->add_option("--recording", options->recording,
-                     "Writes the recording as well, FILE.placode, so that both can be checked");
+    seal->add_option(
+        "--recording", options->recording,
+        "Writes the recording as well, a new FILE.placode, so that both can be checked");
     seal->callback([&context, options] {
         context.run = [&context, options] { return report_seal(context, *options); };
     });
