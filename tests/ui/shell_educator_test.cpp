@@ -65,6 +65,7 @@ class ShellEducatorTest : public QObject {
     void searchOpensByKeyboardAlone();
     void searchKeepsToTheRights();
     void lastPageIsRemembered();
+    void aTaskThatNobodyCountsInSaysSo();
 
  private:
     void add(const QString& name, const std::string& login, const std::vector<double>& points);
@@ -603,6 +604,24 @@ void ShellEducatorTest::lastPageIsRemembered() {
     // Of each user's own.
     QVERIFY(shell.signIn("demo.educator", "placode-demo"));
     QVERIFY(shell.arrives(PageId::kStandards));
+}
+
+// An empty table over three buttons that did nothing.
+void ShellEducatorTest::aTaskThatNobodyCountsInSaysSo() {
+    ShellHarness& shell = *shell_;
+    db::AttemptResult idle;
+    idle.header.task_id = "trace_contour";
+    idle.header.device = "mouse";
+    idle.header.started_utc = "2026-03-02T10:00:00Z";
+    idle.end.reason = sim::EndReason::kFinished;
+    idle.end.duration_s = 20;
+    idle.score.verdict = assessment::Verdict::kNotAttempted;
+    (void)shell.owner().attempts().save(shell.owner().accounts().find_login("anna")->id, idle);
+    shell.window().open({PageId::kStandards, 0, {}, {{"task", "trace_contour"}}});
+    QVERIFY(shell.arrives(PageId::kStandards));
+    QVERIFY(QTest::qWaitFor([&] { return shell.find<QLabel>("standard_nobody") != nullptr; }));
+    QVERIFY(shell.find<QTableWidget>("standard_people") == nullptr);
+    QVERIFY(shell.find<QPushButton>("mark_novices") == nullptr);
 }
 
 }  // namespace placode::ui

@@ -218,6 +218,15 @@ class StandardsPage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
         layout->addWidget(make_label(tr("Groups"), "heading"));
+        if (operators_.empty()) {
+            QLabel* why = make_label(
+                tr("No attempt at this task counts yet. Once some do, whoever made them stands "
+                   "here; the list above has other tasks."),
+                "muted");
+            why->setObjectName("standard_nobody");
+            layout->addWidget(why);
+            return make_card(layout);
+        }
         people_ = make_table(
             {tr("Person"), tr("Attempts"), tr("Mean of the last"), tr("Group"), tr("Remark")},
             tr("Groups"));

@@ -5535,6 +5535,10 @@
 <context>
     <name>StandardsPage</name>
     <message>
+        <source>No attempt at this task counts yet. Once some do, whoever made them stands here; the list above has other tasks.</source>
+        <translation>Żadna próba tego zadania jeszcze się nie liczy. Gdy będą takie, ich autorzy staną tutaj; inne zadania są na liście u góry.</translation>
+    </message>
+    <message>
         <source>Reading the attempts</source>
         <translation>Odczyt prób</translation>
     </message>
