@@ -20,6 +20,7 @@ class ShellFirstStartTest : public QObject {
     void theStationsFormHasAWayBack();
     void anAddressIsLookedAtBeforeItIsUsed();
     void aServerThatIsAwayLeavesEverythingAsItWas();
+    void theServersPasswordIsAskedForInAFrame();
     void aChosenServerThatIsGoneIsNoDeadEnd();
     void everyWayFitsASmallScreen();
 
@@ -153,6 +154,32 @@ void ShellFirstStartTest::aServerThatIsAwayLeavesEverythingAsItWas() {
     QVERIFY(QTest::qWaitFor([&] { return shell_->find<QPushButton>("way_alone") != nullptr; }));
     QVERIFY(shell_->click("way_alone"));
     QVERIFY(shell_->arrives(PageId::kTask));
+}
+
+void ShellFirstStartTest::theServersPasswordIsAskedForInAFrame() {
+    QVERIFY(shell_->arrives(PageId::kSetup) && shell_->click("way_server"));
+    QVERIFY(QTest::qWaitFor([&] { return shell_->find<QLineEdit>("server_address") != nullptr; }));
+    const QByteArray file = qgetenv("PGPASSFILE"), word = qgetenv("PGPASSWORD");
+    qputenv("PGPASSFILE", shell_->path("no.pgpass").toLocal8Bit());
+    qunsetenv("PGPASSWORD");
+    QVERIFY(shell_->type("server_address", "postgresql://a@127.0.0.1:1/placode"));
+    bool framed = false, on_field = false;
+    QTimer::singleShot(300, &shell_->window(), [&] {
+        QWidget* dialog = QApplication::activeModalWidget();
+        if (dialog == nullptr) return;
+        framed = dialog->objectName() == "server_password_dialog" &&
+                 dialog->findChild<QFrame*>("dialog_frame") != nullptr;
+        auto* field = dialog->findChild<QLineEdit*>("server_password");
+        on_field = field != nullptr && dialog->focusWidget() == field;
+        QTest::keyClick(dialog, Qt::Key_Escape);
+    });
+    QVERIFY(shell_->click("connect_server"));
+    file.isEmpty() ? qunsetenv("PGPASSFILE") : qputenv("PGPASSFILE", file);
+    if (!word.isEmpty()) qputenv("PGPASSWORD", word);
+    QVERIFY2(framed, "as every other question");
+    QVERIFY(on_field);
+    QCOMPARE(shell_->find<QLineEdit>("server_address")->text(),
+             QString("postgresql://a@127.0.0.1:1/placode"));
 }
 
 void ShellFirstStartTest::aChosenServerThatIsGoneIsNoDeadEnd() {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opening the store, what to do when it is gone, and whether who is signed in still may be.
 #include <QApplication>
-#include <QInputDialog>
+#include <QDialog>
+#include <QHBoxLayout>
+#include <QLineEdit>
 
 #include "db/store_url.h"
 #include "ui/shell/app_context.h"
@@ -26,6 +28,40 @@ QString without_password(const std::string& address) {
            all.mid(server.size());
 }
 
+/// Empty: the user gave up, or typed nothing. Framed as every other question: without a title bar
+/// Qt's own dialog is a white patch over the page.
+QString ask_server_password(const AppContext& context, const QString& server) {
+    QDialog dialog(QApplication::activeWindow());
+    dialog.setObjectName("server_password_dialog");
+    dialog.setWindowTitle(AppContext::tr("Password of the server"));
+    dialog.setMinimumWidth(440);
+    auto* column = new QVBoxLayout(&dialog);
+    column->setContentsMargins(kSpace24, kSpace24, kSpace24, kSpace24);
+    column->setSpacing(kSpace12);
+    column->addWidget(make_label(AppContext::tr("Password of the server"), "title"));
+    auto* typed = new QLineEdit;
+    typed->setObjectName("server_password");
+    typed->setEchoMode(QLineEdit::Password);
+    column->addLayout(make_field(AppContext::tr("Password for %1").arg(server), typed));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace8);
+    QPushButton* no = make_button(context, AppContext::tr("Cancel"), "secondary");
+    no->setObjectName("server_password_no");
+    no->setAutoDefault(false);
+    QPushButton* yes = make_button(context, AppContext::tr("Connect"), "primary", "next");
+    yes->setObjectName("server_password_yes");
+    yes->setDefault(true);
+    row->addStretch();
+    row->addWidget(no);
+    row->addWidget(yes);
+    column->addLayout(row);
+    QObject::connect(no, &QPushButton::clicked, &dialog, &QDialog::reject);
+    QObject::connect(yes, &QPushButton::clicked, &dialog, &QDialog::accept);
+    frame_dialog(&dialog);
+    typed->setFocus();
+    return dialog.exec() == QDialog::Accepted ? typed->text() : QString();
+}
+
 }  // namespace
 
 std::string AppContext::startingStore(const std::string& asked) const {
@@ -46,9 +82,7 @@ std::string AppContext::shownStore() const {
 std::string AppContext::urlWithPassword() {
     const db::StoreUrl url = db::parse_store_url(store_url_);
     if (!db::needs_password(url)) return store_url_;
-    const QString typed =
-        QInputDialog::getText(QApplication::activeWindow(), tr("Password of the server"),
-                              tr("Password for %1").arg(qstr(url.shown)), QLineEdit::Password);
+    const QString typed = ask_server_password(*this, qstr(url.shown));
     return typed.isEmpty() ? store_url_ : db::with_password(store_url_, typed.toStdString());
 }
 

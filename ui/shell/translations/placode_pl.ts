@@ -6476,6 +6476,14 @@
 <context>
     <name>placode::ui::AppContext</name>
     <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Połącz</translation>
+    </message>
+    <message>
         <source>Password of the server</source>
         <translation>Hasło do serwera</translation>
     </message>
