@@ -164,8 +164,16 @@ QString void_reason_within(const db::VoidReason& reason) {
 
 QString void_words(const std::string& text, const std::string& meaning) {
     QStringList parts;
-    for (const db::VoidReason& reason : db::void_reasons(text, meaning))
-        parts << (parts.isEmpty() ? void_reason_words(reason) : void_reason_within(reason));
+    bool slow = false;  // Said already: the second figure of the same machine only adds itself.
+    for (const db::VoidReason& reason : db::void_reasons(text, meaning)) {
+        if (slow && reason.cause == db::VoidCause::kNotRealTime)
+            parts << QCoreApplication::translate(
+                         "Deviation", "the simulation ran at %1 % of real time, 95 % are needed")
+                         .arg(reason.found);
+        else
+            parts << (parts.isEmpty() ? void_reason_words(reason) : void_reason_within(reason));
+        slow |= reason.cause == db::VoidCause::kFewPictures;
+    }
     return parts.join(QStringLiteral("; "));
 }
 

@@ -50,6 +50,8 @@ TEST_F(ConductWords, EveryReasonOfASlowMachineIsSaidInTheProgramsLanguage) {
             const QStringList parts =
                 void_words(db::void_text(db::void_reasons({event}))).split(QStringLiteral("; "));
             ASSERT_EQ(parts.size(), 2);
+            EXPECT_TRUE(parts[0].contains("too slow"));
+            EXPECT_FALSE(parts[1].contains("too slow")) << "it was said already";
             for (const QString& part : parts) {
                 EXPECT_TRUE(part.startsWith('~')) << part.toStdString();
                 EXPECT_FALSE(part.contains("%1")) << part.toStdString();

@@ -103,6 +103,7 @@ namespace {
     QT_TRANSLATE_NOOP(
         "Deviation",
         "The computer was too slow: the simulation ran at %1 % of real time, 95 % are needed"),
+    QT_TRANSLATE_NOOP("Deviation", "the simulation ran at %1 % of real time, 95 % are needed"),
     QT_TRANSLATE_NOOP("Deviation", "Pauses"),
     QT_TRANSLATE_NOOP("Deviation", "Slow computer"),
     QT_TRANSLATE_NOOP("Deviation", "Ended too early"),

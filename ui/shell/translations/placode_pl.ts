@@ -9862,6 +9862,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Komputer był za wolny: symulacja szła z szybkością %1 % czasu rzeczywistego, potrzeba 95 %</translation>
     </message>
     <message>
+        <source>the simulation ran at %1 % of real time, 95 % are needed</source>
+        <translation>symulacja szła z szybkością %1 % czasu rzeczywistego, potrzeba 95 %</translation>
+    </message>
+    <message>
         <source>Pauses</source>
         <translation>Przerwy</translation>
     </message>
