@@ -190,9 +190,13 @@ void draw_ledger(QPainter& painter, const QRectF& where, const LedgerPicture& pi
     for (size_t i = 0; i < picture.entries.size(); ++i)
         draw_entry(painter, picture.entries[i], static_cast<int>(i) == picture.selected, frame,
                    style);
-    if (picture.entries.empty())
-        draw_text(painter, frame.plot, Qt::AlignCenter, figure_word("No damage was recorded."),
-                  style.muted, 1.1 * style.font_px);
+    if (picture.entries.empty()) {
+        // In the middle of a lane: the line between two lanes would strike the words out.
+        const double top = frame.plot.top() + std::floor((picture.lanes - 1) / 2.0) * frame.lane;
+        draw_text(painter, QRectF(frame.plot.left(), top, frame.plot.width(), frame.lane),
+                  Qt::AlignCenter, figure_word("No damage was recorded."), style.muted,
+                  1.1 * style.font_px);
+    }
     draw_marks(painter, where, picture, frame, style);
     painter.restore();
 }
