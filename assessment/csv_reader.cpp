@@ -3,6 +3,7 @@
 #include "assessment/csv_reader.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace placode::assessment {
 namespace {
@@ -87,6 +88,20 @@ bool is_empty(const CsvRow& row) { return row.cells.size() == 1 && row.cells[0].
 std::vector<CsvRow> read_csv(std::string_view text, char separator) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     return Reader(text, separator).rows();
+}
+
+void need_commas(const std::vector<CsvRow>& rows) {
+    if (rows.empty()) return;
+    const std::string& head = rows[0].cells[0];
+    // As UTF-16 it has a mark that is no letter of UTF-8, and a NUL at every letter.
+    if (head.starts_with("\xff\xfe") || head.starts_with("\xfe\xff"))
+        throw CsvError("line 1: found UTF-16; expected UTF-8: save it as CSV UTF-8 with commas");
+    if (rows[0].cells.size() != 1) return;
+    for (const auto& [sign, name] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}})
+        if (head.find(sign) != std::string::npos)
+            throw CsvError(std::string("line 1: found ") + name +
+                           " between the names; expected commas: save it as CSV with commas and "
+                           "'.' in numbers");
 }
 
 void leave_out_empty_lines(std::vector<CsvRow>& rows) {

@@ -27,6 +27,10 @@ struct CsvRow {
 /// is.
 [[nodiscard]] std::vector<CsvRow> read_csv(std::string_view text, char separator = ',');
 
+/// Throws CsvError when the head is that of a table with another separator, which spreadsheets save
+/// where ',' is the decimal sign: what is wrong with its rows would lead nobody there.
+void need_commas(const std::vector<CsvRow>& rows);
+
 /// Removes empty lines: before the head and at the end always, elsewhere unless the table has one
 /// column, where an empty line is an empty cell.
 void leave_out_empty_lines(std::vector<CsvRow>& rows);

@@ -21,6 +21,7 @@ std::vector<CsvRow> rows_of(const std::string& path) {
     if (!text) throw SignalError(path + ": has more than 1 GB; expected a CSV file of less");
     try {
         auto rows = read_csv(*text);
+        need_commas(rows);
         if (rows.empty()) rows.push_back({{""}, 1});  // no column at all is said by the caller
         return rows;
     } catch (const CsvError& error) {

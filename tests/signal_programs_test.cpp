@@ -19,6 +19,21 @@ namespace THIS_TEST {
 
 test::World* const world = test::World::install();
 
+TEST_F(Programs, ATableOfAnotherSpreadsheetIsNamedAsWhatItIs) {
+    const std::pair<std::string, const char*> tables[]{
+        {"\xef\xbb\xbft_s;speed_mm_s\r\n0,00;1,5\r\n0,01;2,5\r\n", "found semicolons between"},
+        {"t_s\tspeed_mm_s\n0\t1\n0.01\t2\n", "found tabs between"},
+        {std::string("\xff\xfet\0,\0v\0\n\0", 10), "found UTF-16; expected UTF-8"}};
+    for (const auto& [text, said] : tables) {
+        write_text(file("a.csv"), text);
+        for (const char* command : {"metrics a.csv", "stats alpha a.csv"}) {
+            const Outcome refused = ctl(command);
+            EXPECT_EQ(refused.status, 2) << command;
+            EXPECT_THAT(refused.err, HasSubstr(std::string("a.csv: line 1: ") + said)) << command;
+        }
+    }
+}
+
 TEST_F(Programs, ASpeedProfileGivesThePublishedSmoothness) {
     // Minimum-jerk movement, 100 mm in 1 s at 100 Hz. Expected: the code of siva82kb/SPARC.
     std::string csv = "t_s,speed_mm_s\n";

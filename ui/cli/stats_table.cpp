@@ -72,10 +72,11 @@ StatsTable read_stats_table(const std::string& path) {
     std::vector<assessment::CsvRow> all;
     try {
         all = assessment::read_csv(*text);
+        assessment::leave_out_empty_lines(all);
+        assessment::need_commas(all);
     } catch (const assessment::CsvError& error) {
         throw InputError(path + ": " + error.what());
     }
-    assessment::leave_out_empty_lines(all);
     if (all.size() < 2)
         throw InputError(path +
                          ": expected a line with column names and at least one line of data");
