@@ -93,6 +93,7 @@ class FileReader {
     }
 
     void open() {
+        if (fs::is_directory(path_)) fail(Kind::kNotFound, "this is a folder; give a file");
         if (!fs::is_regular_file(path_)) fail(Kind::kNotFound, "there is no such file");
         need_content();
         if (fs::file_size(path_) > kMostRecordingBytes)

@@ -230,6 +230,18 @@ TEST_F(Usage, WhereNothingCanBeWrittenIsSaidBeforeTheWork) {
     EXPECT_FALSE(fs::exists(file("new")));
 }
 
+TEST_F(Usage, WhatIsNotThereOrAFolderIsSaidAsThat) {
+    const Outcome web = run("placode-web", "--store sqlite:never_was.db");
+    EXPECT_EQ(web.status, 2);
+    EXPECT_EQ(web.err,
+              "placode-web: open sqlite:never_was.db: there is no such store; give the right one "
+              "with --store\n");
+    EXPECT_FALSE(fs::exists(file("never_was.db")));
+    EXPECT_THAT(ctl("score .").err, HasSubstr("read the recording .: this is a folder"));
+    EXPECT_THAT(run("placode-sim", "--device play:. --headless").err,
+                HasSubstr("read the recording .: this is a folder"));
+}
+
 TEST_F(Usage, AMisspeltLayoutOfTheControlsIsNamed) {
     for (const auto& [layout, word] : {std::pair{"'cut=C'", "cut and coagulate are both"},
                                        {"'jump=G'", "jump=G"},

@@ -12,12 +12,14 @@
 #include <clocale>
 #include <csignal>
 #include <ctime>
+#include <filesystem>
 #include <iostream>
 #include <mutex>
 #include <thread>
 
 #include "curriculum/utc_time.h"
 #include "db/reading_store.h"
+#include "db/store.h"
 #include "db/store_url.h"
 #include "ui/arrived.h"
 #include "ui/diagnostics/crash_report.h"
@@ -69,10 +71,15 @@ db::StoreOptions at_station(bool lti) {
 /// The store is there, of this version, and not in the command line with its password.
 std::string checked_store(const Options& options) {
     const std::string url = options.store.empty() ? db::default_store_url() : options.store;
-    if (!db::parse_store_url(url).password.empty())
+    const db::StoreUrl parsed = db::parse_store_url(url);
+    if (!parsed.password.empty())
         throw std::invalid_argument(
             "--store: the address holds a password, and everybody on this computer can read it "
             "there (ps); put it in ~/.pgpass (mode 600) or $PGPASSWORD");
+    if (parsed.engine == db::Engine::kSqlite && !std::filesystem::exists(parsed.path) &&
+        !db::store_was_here(url))
+        throw std::invalid_argument("open " + parsed.shown +
+                                    ": there is no such store; give the right one with --store");
     // For nobody: account 0 is none.
     (void)db::open_for_reading(url, 0, at_station(!options.lti.empty()));
     return url;
