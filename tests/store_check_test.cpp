@@ -14,7 +14,7 @@
 
 using namespace placode;
 using namespace placode::test;
-using Step = db::CheckProgress::Step;
+using CheckStep = db::CheckProgress::Step;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Optional;
@@ -46,14 +46,15 @@ class StoreCheck : public StoreTest {
 INSTANTIATE_TEST_SUITE_P(Engines, StoreCheck, testing::Values("Sqlite", "Postgresql"), engine_name);
 
 TEST_P(StoreCheck, SaysHowFarItIsAndEndsInEachStepWhereWhoIsToldThrows) {
-    std::vector<Step> steps;
+    std::vector<CheckStep> steps;
     const auto told = [&](const db::CheckProgress& at) {
         if (steps.empty() || steps.back() != at.step) steps.push_back(at.step);
     };
     EXPECT_THAT(store->check({{}, told}), Optional(IsEmpty()));
-    EXPECT_THAT(steps, ElementsAre(Step::kFile, Step::kTrail, Step::kObjects, Step::kRecordings));
+    EXPECT_THAT(steps, ElementsAre(CheckStep::kFile, CheckStep::kTrail, CheckStep::kObjects,
+                                   CheckStep::kRecordings));
     struct Enough {};
-    for (const Step step : steps) {
+    for (const CheckStep step : steps) {
         const auto enough = [&](const db::CheckProgress& at) {
             if (at.step == step) throw Enough{};
         };
@@ -64,7 +65,7 @@ TEST_P(StoreCheck, SaysHowFarItIsAndEndsInEachStepWhereWhoIsToldThrows) {
 
 // Nobody takes a check that was stopped for one that found nothing.
 TEST_P(StoreCheck, ThatIsStoppedSaysNothingOfTheStore) {
-    for (const Step step : {Step::kFile, Step::kTrail, Step::kObjects}) {
+    for (const CheckStep step : {CheckStep::kFile, CheckStep::kTrail, CheckStep::kObjects}) {
         std::atomic<bool> stops{false};
         const db::CheckOptions how{[&] { return stops.load(); },
                                    [&](const db::CheckProgress& at) { stops = at.step == step; }};
