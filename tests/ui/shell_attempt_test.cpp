@@ -137,6 +137,11 @@ void ShellAttemptTest::expertFinishesAndSeesWhy() {
     QCOMPARE(all[0].end, sim::EndReason::kFinished);
     QVERIFY(all[0].demonstration);
     expert_points_ = all[0].points;
+    QVERIFY2(QTest::qWaitFor([&] {
+                 const auto* on = static_cast<QWidget*>(shell.find<QPushButton>("next"));
+                 return on != nullptr && shell.window().focusWidget() == on;
+             }),
+             "Enter goes on, instead of opening what stands first in the rail");
     QVERIFY(shell.text("result_points").contains(format_points(expert_points_)));
     QVERIFY(shell.find<QTableWidget>("metrics")->rowCount() > 10);
     QVERIFY(QTest::qWaitFor([&] { return shell.find<QWidget>("incision") != nullptr; }, 30000));

@@ -54,6 +54,7 @@ class ShellEducatorTest : public QObject {
     void cohortShowsWhoIsStuckAndWhoRegressed();
     void whoHasLeftNeedsNoHelp();
     void cohortLeadsToTheAttemptsAndIsExported();
+    void aResultLeadsBackToTheListAsItWas();
     void cohortAndPersonAreReportedOnPaper();
     void standardComesFromTwoGroups();
     void aSmallPIsNotNought();
@@ -214,6 +215,29 @@ void ShellEducatorTest::cohortLeadsToTheAttemptsAndIsExported() {
     QVERIFY(shell.click("help_0"));
     QVERIFY(shell.arrives(PageId::kAttempts));
     QCOMPARE(shell.find<QComboBox>("filter_person")->currentText(), kNames[0]);
+}
+
+// There was no way back from a result, and the list had forgotten whose attempts were asked for.
+void ShellEducatorTest::aResultLeadsBackToTheListAsItWas() {
+    ShellHarness& shell = *shell_;
+    shell.window().open({PageId::kCohort, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kCohort) && shell.click("help_0"));
+    const auto reads = [&] {
+        if (!shell.arrives(PageId::kAttempts)) return false;
+        Q_EMIT shell.find<QTableWidget>("attempts_table")->cellActivated(0, 0);
+        return shell.arrives(PageId::kResult);
+    };
+    const auto is_back = [&] {
+        return shell.arrives(PageId::kAttempts) &&
+               shell.find<QComboBox>("filter_person")->currentText() == kNames[0];
+    };
+    QVERIFY(reads() && shell.click("compare") && shell.arrives(PageId::kCompare));
+    QVERIFY(shell.click("back_to_result") && shell.arrives(PageId::kResult));
+    QVERIFY(shell.click("back"));
+    QVERIFY2(is_back(), "the list, not the comparison");
+    QVERIFY(reads());
+    QTest::keyClick(&shell.window(), Qt::Key_Left, Qt::AltModifier);
+    QVERIFY(is_back());
 }
 
 void ShellEducatorTest::cohortAndPersonAreReportedOnPaper() {

@@ -14,6 +14,13 @@
 #include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
+namespace {
+
+bool is_same(const Place& a, const Place& b) {
+    return a.page == b.page && a.number == b.number && a.text == b.text;
+}
+
+}  // namespace
 
 MainWindow::MainWindow(AppContext& context) : context_(context) {
     setWindowTitle("Placode");
@@ -38,6 +45,15 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
     watchWaiting();
     auto* find = new QShortcut(QKeySequence("Ctrl+K"), this);
     connect(find, &QShortcut::activated, this, &MainWindow::openSearch);
+    connect(new QShortcut(QKeySequence("Alt+Left"), this), &QShortcut::activated, this, [this] {
+        // The page of an attempt is gone with the attempt.
+        while (!trail_.empty() && trail_.back().page == PageId::kRunning &&
+               !context_.launcher().running())
+            trail_.pop_back();
+        // Who has not signed in, and a participant, has nothing behind him.
+        if (!context_.signedIn() || handedOver() || trail_.empty()) return;
+        if (!page_ || page_->mayLeave()) goBack();
+    });
     connect(new QShortcut(QKeySequence("F1"), this), &QShortcut::activated, this, [this] {
         if (!handedOver()) open_help(context_, this, manual_chapter(place_.page));
     });
@@ -129,7 +145,15 @@ void MainWindow::open(const Place& place) {
         updateFrame();
         return;
     }
-    if (page_) trail_.push_back(place_);
+    // "Back to the result" is a step back: from there nobody wants to go on to the replay again.
+    if (!trail_.empty() && is_same(trail_.back(), place)) {
+        trail_.pop_back();
+    } else if (page_) {
+        trail_.push_back(place_);
+        // Whoever comes back to the list finds it as it was chosen. Other pages hold work that may
+        // just have been given up.
+        if (place_.page == PageId::kAttempts) trail_.back().state = page_->state();
+    }
     if (trail_.size() > 50) trail_.erase(trail_.begin());
     if (taken_back) trail_.clear();  // Nobody goes back into somebody else's run by accident.
     notices_->closeAll();

@@ -116,9 +116,10 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
             context_.verifyAttempts();
             const AttemptOrder& order = ending.order;
             // A participant is led on; scores are not shown during a study.
-            const Place result = order.study.isEmpty()
-                                     ? Place{PageId::kResult, saved->attempt_id, {}, {}}
-                                     : placeOf(order);
+            const Place result =
+                order.study.isEmpty()
+                    ? Place{PageId::kResult, saved->attempt_id, {}, {{"after_attempt", true}}}
+                    : placeOf(order);
             if (!isMine(order)) {
                 if (waiting) showPlace(home());
                 return;

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <memory>
 
 #include "db/attempt_counting.h"
@@ -52,6 +53,10 @@ class ResultPage : public Page {
         column->addWidget(make_metrics_card(context, data_));
         column->addStretch();
         readRecording();
+        // Left alone, the focus would fall on the first button of the rail. Only after the attempt:
+        // who changes the language has it elsewhere.
+        if (on_ && place.state.value("after_attempt").toBool())
+            QTimer::singleShot(0, on_, [on = on_] { on->setFocus(Qt::OtherFocusReason); });
     }
 
     [[nodiscard]] QString title() const override { return tr("Result"); }
@@ -147,6 +152,13 @@ class ResultPage : public Page {
     }
 
     void addButtons(QHBoxLayout* line, bool own) {
+        if (!own) {  // Its owner goes on with Again and Next.
+            QPushButton* before = make_button(context_, tr("Back"), "quiet", "back");
+            before->setObjectName("back");
+            before->setToolTip(tr("To the page before (Alt and left arrow)"));
+            connect(before, &QPushButton::clicked, this, [this] { Q_EMIT back(); });
+            line->addWidget(before);
+        }
         watch_ = make_button(context_, tr("Watch"), "secondary", "play");
         watch_->setObjectName("watch");
         watch_->setToolTip(tr("See this attempt again in the simulator's window"));
@@ -184,6 +196,7 @@ class ResultPage : public Page {
         });
         line->addWidget(again);
         line->addWidget(next);
+        on_ = counts ? next : again;
     }
 
     void watch(double time_s) {
@@ -263,6 +276,7 @@ class ResultPage : public Page {
     ExamStanding exam_;
     QVBoxLayout* pictures_ = nullptr;
     QPushButton *watch_ = nullptr, *report_ = nullptr;
+    QPushButton* on_ = nullptr;  ///< The way on that is proposed: Next, or Again.
     std::shared_ptr<sim::Recording> recording_;
 };
 

@@ -4874,6 +4874,14 @@
 <context>
     <name>ResultPage</name>
     <message>
+        <source>Back</source>
+        <translation>Wstecz</translation>
+    </message>
+    <message>
+        <source>To the page before (Alt and left arrow)</source>
+        <translation>Do poprzedniej strony (Alt i strzałka w lewo)</translation>
+    </message>
+    <message>
         <source>Mastered in the course: %1.</source>
         <translation>Zaliczono w kursie: %1.</translation>
     </message>
