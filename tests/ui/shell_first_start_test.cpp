@@ -178,6 +178,8 @@ void ShellFirstStartTest::theServersPasswordIsAskedForInAFrame() {
     if (!word.isEmpty()) qputenv("PGPASSWORD", word);
     QVERIFY2(framed, "as every other question");
     QVERIFY(on_field);
+    QVERIFY2(!shell_->window().banner().isShown(), "who gives up has tried nothing");
+    QVERIFY(shell_->context().storeIsOpen() && shell_->context().storeIsFile());
     QCOMPARE(shell_->find<QLineEdit>("server_address")->text(),
              QString("postgresql://a@127.0.0.1:1/placode"));
 }

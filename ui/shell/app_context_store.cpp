@@ -5,6 +5,7 @@
 #include <QDialog>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <optional>
 
 #include "db/store_url.h"
 #include "ui/shell/app_context.h"
@@ -28,9 +29,12 @@ QString without_password(const std::string& address) {
            all.mid(server.size());
 }
 
-/// Empty: the user gave up, or typed nothing. Framed as every other question: without a title bar
-/// Qt's own dialog is a white patch over the page.
-QString ask_server_password(const AppContext& context, const QString& server) {
+/// Who was asked for the password gave up: no error, and nothing to try.
+struct GivenUp {};
+
+/// Nothing: the user gave up. Framed as every other question: without a title bar Qt's own dialog
+/// is a white patch over the page.
+std::optional<QString> ask_server_password(const AppContext& context, const QString& server) {
     QDialog dialog(QApplication::activeWindow());
     dialog.setObjectName("server_password_dialog");
     dialog.setWindowTitle(AppContext::tr("Password of the server"));
@@ -59,7 +63,8 @@ QString ask_server_password(const AppContext& context, const QString& server) {
     QObject::connect(yes, &QPushButton::clicked, &dialog, &QDialog::accept);
     frame_dialog(&dialog);
     typed->setFocus();
-    return dialog.exec() == QDialog::Accepted ? typed->text() : QString();
+    if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+    return typed->text();
 }
 
 }  // namespace
@@ -82,8 +87,9 @@ std::string AppContext::shownStore() const {
 std::string AppContext::urlWithPassword() {
     const db::StoreUrl url = db::parse_store_url(store_url_);
     if (!db::needs_password(url)) return store_url_;
-    const QString typed = ask_server_password(*this, qstr(url.shown));
-    return typed.isEmpty() ? store_url_ : db::with_password(store_url_, typed.toStdString());
+    const std::optional<QString> typed = ask_server_password(*this, qstr(url.shown));
+    if (!typed) throw GivenUp();
+    return typed->isEmpty() ? store_url_ : db::with_password(store_url_, typed->toStdString());
 }
 
 bool AppContext::openStore(const db::StoreOptions& options) {
@@ -100,6 +106,7 @@ bool AppContext::openStore(const db::StoreOptions& options) {
             store_url_ = url;
             // From here on what the person may whom it serves, and before sign-in next to nothing.
             user_ ? store_->act_for(user_->id) : store_->sign_out();
+        } catch (const GivenUp&) {  // Not opened, and nobody wonders why.
         } catch (const db::StoreError& error) {
             store_missing_ = error.kind() == db::StoreError::Kind::kMissing;
             if (!store_missing_) throw;
