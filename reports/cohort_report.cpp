@@ -8,8 +8,8 @@
 #include <set>
 
 #include "db/attempt_counting.h"
-#include "reports/figure.h"
 #include "reports/paper.h"
+#include "reports/points_figure.h"
 #include "reports/report.h"
 #include "reports/text.h"
 #include "reports/words.h"
@@ -120,8 +120,8 @@ Figure spread(const std::vector<PersonInTask>& people) {
         for (const PersonInTask* one : in_task) group.values.push_back(one->standing_now.recent);
         groups.push_back(std::move(group));
     }
-    return strip_figure("spread", "Mean of the last three attempts of each person", "points of 100",
-                        groups, ChartStyle{});
+    return points_figure("spread", "Mean of the last three attempts of each person",
+                         "points of 100", groups, ChartStyle{});
 }
 
 }  // namespace

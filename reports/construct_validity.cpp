@@ -9,6 +9,7 @@
 #include "assessment/rank_tests.h"
 #include "assessment/statistics.h"
 #include "reports/analysis_parts.h"
+#include "reports/points_figure.h"
 #include "reports/study_analysis.h"
 
 namespace placode::reports {
@@ -218,10 +219,10 @@ void add_score_strips(const RowsByTask& tasks, const Field& field, const Levels&
         std::vector<StripGroup> strips;
         for (size_t i = 0; i < levels.names.size(); ++i)
             strips.push_back({levels.names[i], points[i]});
-        analysis.figures.push_back(strip_figure("construct_points" + task_behind(tasks, task),
-                                                task_before(tasks, task) + "Score by level",
-                                                "score [points], mean of each person", strips,
-                                                style));
+        analysis.figures.push_back(points_figure("construct_points" + task_behind(tasks, task),
+                                                 task_before(tasks, task) + "Score by level",
+                                                 "score [points], mean of each person", strips,
+                                                 style));
     }
 }
 

@@ -6,11 +6,13 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "assessment/statistics.h"
 #include "reports/csv_table.h"
 #include "reports/figure.h"
 #include "reports/plot_parts.h"
+#include "reports/points_figure.h"
 #include "reports/text.h"
 
 namespace placode::reports {
@@ -71,10 +73,8 @@ void draw_group(QPainter& painter, const std::vector<double>& sorted, const Line
     }
 }
 
-void draw_strips(QPainter& painter, const QRectF& where, const std::vector<StripGroup>& groups,
-                 const QString& axis, const ChartStyle& style) {
-    constexpr double kLabel = 230, kRight = 60, kFoot = 34;
-    const QRectF plot = where.adjusted(kLabel, 4, -kRight, -kFoot);
+/// From the least to the greatest value, with a margin.
+std::pair<double, double> range_of(const std::vector<StripGroup>& groups) {
     double low = 1e300, high = -1e300;
     for (const StripGroup& group : groups)
         for (const double value : group.values)
@@ -82,8 +82,14 @@ void draw_strips(QPainter& painter, const QRectF& where, const std::vector<Strip
     if (low > high) low = 0, high = 1;
     const double margin = low == high ? 1 : 0.05 * (high - low);
     // Where nothing is negative the axis is neither: there are no points below 0.
-    const double from = low >= 0 ? std::max(0.0, low - margin) : low - margin;
-    const LinearScale x{from, high + margin, plot.left(), plot.right()};
+    return {low >= 0 ? std::max(0.0, low - margin) : low - margin, high + margin};
+}
+
+void draw_strips(QPainter& painter, const QRectF& where, const std::vector<StripGroup>& groups,
+                 const QString& axis, std::pair<double, double> range, const ChartStyle& style) {
+    constexpr double kLabel = 230, kRight = 60, kFoot = 34;
+    const QRectF plot = where.adjusted(kLabel, 4, -kRight, -kFoot);
+    const LinearScale x{range.first, range.second, plot.left(), plot.right()};
     draw_axis(painter, plot, x, axis, style);
     const double row = plot.height() / static_cast<double>(std::max<size_t>(1, groups.size()));
     for (size_t i = 0; i < groups.size(); ++i) {
@@ -156,10 +162,9 @@ void draw_forest(QPainter& painter, const QRectF& where, const std::vector<Fores
     }
 }
 
-}  // namespace
-
-Figure strip_figure(const std::string& id, const std::string& title, const std::string& axis,
-                    const std::vector<StripGroup>& groups, const ChartStyle& style) {
+Figure figure_of(const std::string& id, const std::string& title, const std::string& axis,
+                 const std::vector<StripGroup>& groups, std::pair<double, double> range,
+                 const ChartStyle& style) {
     Figure figure;
     figure.id = id;
     figure.title = title;
@@ -171,11 +176,23 @@ Figure strip_figure(const std::string& id, const std::string& title, const std::
     for (const StripGroup& group : groups)
         for (const double value : group.values)
             figure.csv += csv_line({harmless(group.label), shortest_text(value)});
-    figure.draw = [groups, style, name = QString::fromStdString(axis)](QPainter& painter,
-                                                                       const QRectF& where) {
-        draw_strips(painter, where, groups, name, style);
+    figure.draw = [groups, style, range, name = QString::fromStdString(axis)](QPainter& painter,
+                                                                              const QRectF& where) {
+        draw_strips(painter, where, groups, name, range, style);
     };
     return figure;
+}
+
+}  // namespace
+
+Figure strip_figure(const std::string& id, const std::string& title, const std::string& axis,
+                    const std::vector<StripGroup>& groups, const ChartStyle& style) {
+    return figure_of(id, title, axis, groups, range_of(groups), style);
+}
+
+Figure points_figure(const std::string& id, const std::string& title, const std::string& axis,
+                     const std::vector<StripGroup>& groups, const ChartStyle& style) {
+    return figure_of(id, title, axis, groups, {0, 100}, style);
 }
 
 Figure forest_figure(const std::string& id, const std::string& title, const std::string& axis,

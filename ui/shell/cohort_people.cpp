@@ -9,7 +9,7 @@
 
 #include "reports/csv_table.h"
 #include "reports/export.h"
-#include "reports/figure.h"
+#include "reports/points_figure.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
 
@@ -83,8 +83,8 @@ QWidget* make_scores_picture(const AppContext& context, const std::vector<Cohort
         best.values.push_back(found->second.best);
     }
     const reports::Figure figure =
-        reports::strip_figure("scores", {}, CohortWords::tr("score [points of 100]").toStdString(),
-                              {first, last, best}, chart_style(context.theme()));
+        reports::points_figure("scores", {}, CohortWords::tr("score [points of 100]").toStdString(),
+                               {first, last, best}, chart_style(context.theme()));
     QWidget* picture = make_picture(
         [figure](QPainter& painter, const QRectF& where) { figure.draw(painter, where); },
         QSize(480, static_cast<int>(figure.height)), CohortWords::tr("Scores of a task"),

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "curriculum/utc_time.h"
+#include "reports/points_figure.h"
 #include "ui/web/parts.h"
 
 namespace placode::web {
@@ -253,8 +254,8 @@ PageText scores_page(const Visit& visit) {
     else
         drawing << figure([&](const reports::ChartStyle& style) {
             reports::Figure strip =
-                reports::strip_figure("scores", Web::plain_phrase("Scores: %1", {title}),
-                                      Web::plain_phrase("score [points of 100]"), groups, style);
+                reports::points_figure("scores", Web::plain_phrase("Scores: %1", {title}),
+                                       Web::plain_phrase("score [points of 100]"), groups, style);
             strip.caption = Web::plain_count_phrase(
                 "%n person(s). Every point is a person; box: quartiles, line: median, diamond: "
                 "mean.",
