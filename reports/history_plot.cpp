@@ -6,6 +6,7 @@
 
 #include <QPicture>
 
+#include "reports/plot_parts.h"
 #include "reports/report.h"
 #include "reports/text.h"
 #include "reports/words.h"
@@ -52,7 +53,7 @@ void add_pass_line(QCustomPlot& plot, double pass_points, double last, const Cha
     auto* text = new QCPItemText(&plot);
     text->position->setCoords(last + 0.5, pass_points);
     text->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
-    text->setText(figure_word("pass mark of the task: %1").arg(number(pass_points, 0)));
+    text->setText(figure_word("pass mark of the task: %1").arg(points_text(pass_points)));
     text->setColor(colour(style.good));
     QFont font;
     font.setPixelSize(static_cast<int>(style.font_px));

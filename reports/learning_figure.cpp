@@ -100,7 +100,7 @@ void draw_learning(QPainter& painter, const QRectF& where, const std::vector<Lea
     draw_axes(painter, scores, figure_word("score [points of 100]"), false, style);
     if (pass_points)
         draw_limit(painter, scores, *pass_points,
-                   figure_word("pass mark of the task: %1").arg(number(*pass_points, 0)), style);
+                   figure_word("pass mark of the task: %1").arg(points_text(*pass_points)), style);
     for (const LearningLine& line : lines)
         draw_line(painter, scores, line.points, 1, QPen(colour(style.muted), 0.8), 1.6);
     draw_line(painter, scores, means_of(lines), 1, QPen(colour(style.accent), 2.4), 3.4);

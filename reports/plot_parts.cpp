@@ -36,6 +36,10 @@ std::vector<double> round_ticks(double low, double high, int count) {
     return ticks;
 }
 
+QString points_text(double points) {
+    return with_spoken_sign(number(points, std::lround(points * 10) % 10 == 0 ? 0 : 1));
+}
+
 QString tick_text(double tick) { return with_spoken_sign(QString::number(tick, 'g', 4)); }
 
 void draw_text(QPainter& painter, const QRectF& where, int alignment, const QString& text, QRgb ink,

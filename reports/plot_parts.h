@@ -25,6 +25,9 @@ struct LinearScale {
 /// What stands at a tick.
 [[nodiscard]] QString tick_text(double tick);
 
+/// Points as pages write them: with the tenth where there is one, so that a mark of 74.8 is not 75.
+[[nodiscard]] QString points_text(double points);
+
 /// Text in a rectangle; what is too long is shortened with an ellipsis.
 void draw_text(QPainter& painter, const QRectF& where, int alignment, const QString& text, QRgb ink,
                double px, bool bold = false);

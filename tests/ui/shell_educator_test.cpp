@@ -342,6 +342,12 @@ void ShellEducatorTest::standardComesFromTwoGroups() {
             shell.find<QLabel>("cut_score") != nullptr);
     QVERIFY(put(0, 3, "mark_neither"));
     QVERIFY(shell.find<QLabel>("cut_score") == nullptr);
+    // The page of the task says whose mark it names, and the one that it has taken the place of.
+    shell.window().open({PageId::kTask, 0, qstr(kTask), {}});
+    QVERIFY(shell.arrives(PageId::kTask));
+    QVERIFY(shell.text("pass_mark_set").contains("the task's own is 70 points"));
+    QVERIFY(shell.click("rail_standards"));
+    QVERIFY(shell.arrives(PageId::kStandards));
 }
 
 void ShellEducatorTest::aSmallPIsNotNought() {

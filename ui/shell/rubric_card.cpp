@@ -59,7 +59,8 @@ QFrame* make_rubric_card(AppContext& context, const curriculum::Task& task,
     double weights = 0;
     for (const assessment::RubricItem& item : task.rubric.items) weights += item.earns;
     const QString start = format_points(task.rubric.start_points);
-    const QString pass = format_points(db::rubric_at(context.store(), task).pass_points);
+    const double mark = db::rubric_at(context.store(), task).pass_points;
+    const QString pass = format_points(mark);
     layout->addWidget(make_label(
         weights > 0
             ? RubricWords::tr("What you do earns up to %1 points, harm takes points off. You pass "
@@ -67,6 +68,17 @@ QFrame* make_rubric_card(AppContext& context, const curriculum::Task& task,
                   .arg(start, pass)
             : RubricWords::tr("You start with %1 points and pass with %2.").arg(start, pass),
         "muted"));
+    // Else three pages name three numbers, and nobody knows which is which.
+    const QString own = format_points(task.rubric.pass_points);
+    if (own != pass) {
+        QLabel* set = make_label(
+            RubricWords::tr("An educator has set this pass mark; the task's own is %1 points. The "
+                            "benchmark of a course is the course's own.")
+                .arg(own),
+            "small");
+        set->setObjectName("pass_mark_set");
+        layout->addWidget(set);
+    }
     if (exam) {
         QLabel* asked = make_label(RubricWords::tr("This exam asks for %1 points.")
                                        .arg(format_points(exam->benchmark_points)));

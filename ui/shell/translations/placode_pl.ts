@@ -6184,6 +6184,10 @@
         <translation>Escape w oknie wstrzymuje próbę.</translation>
     </message>
     <message>
+        <source>An educator has set this pass mark; the task's own is %1 points. The benchmark of a course is the course's own.</source>
+        <translation>Ten próg zaliczenia ustalił instruktor; własny próg zadania to %1 pkt. Kurs ma swój własny próg.</translation>
+    </message>
+    <message>
         <source>This exam asks for %1 points.</source>
         <translation>Ten egzamin wymaga %1 pkt.</translation>
     </message>
