@@ -155,6 +155,13 @@ void draw_energy(QPainter& painter, const QRectF& where, const sim::Recording& r
             painter.fillRect(QRectF(map(x, y) - QPointF(px / 2, px / 2), QSizeF(px, px)), fill);
         }
     }
+    if (!(most > 0)) {  // "0 to 0.0 J/mm2" is no scale.
+        draw_text(painter,
+                  QRectF(where.left(), where.bottom() - 1.6 * style.font_px, where.width(), 20),
+                  Qt::AlignRight | Qt::AlignVCenter, figure_word("No energy reached tissue."),
+                  style.muted, 0.92 * style.font_px);
+        return;
+    }
     const double area_mm2 = kCellM * kCellM * 1e6;
     // The scale: what the darkest cell means.
     const QRectF bar(where.right() - 118, where.bottom() - 1.1 * style.font_px, 60, 8);

@@ -19,6 +19,7 @@
 
 #include "report_fixture.h"
 #include "reports/attempt_figures.h"
+#include "reports/svg.h"
 
 using namespace placode;
 
@@ -99,6 +100,21 @@ TEST(Report, ThePdfHasNoPathThatEndsBeforeItBegins) {
     ASSERT_TRUE(process.waitForFinished());
     const QString complaints = QString::fromUtf8(process.readAllStandardError());
     EXPECT_FALSE(complaints.contains("Syntax")) << complaints.toStdString();
+}
+
+TEST(Report, AFieldWithoutEnergyHasNoScaleOfIt) {
+    application();
+    const auto drawn = [](const sim::Recording& shown) {
+        return reports::svg_of({320, 320}, "", "", [&](QPainter& painter) {
+            reports::draw_field_map(painter, QRectF(0, 0, 320, 320), shown, {},
+                                    reports::FieldLayer::kEnergy, {});
+        });
+    };
+    sim::Recording shown = recording();
+    EXPECT_EQ(drawn(shown).find("J/mm"), std::string::npos) << "0 to 0.0";
+    shown.header.sample_s = 0.01;
+    for (sim::Sample& sample : shown.samples) sample.tools[0].power_w = 20;
+    EXPECT_NE(drawn(shown).find("J/mm"), std::string::npos);
 }
 
 TEST(Report, LossesOfMoreThanTheWholeScoreSayWhereItEnds) {

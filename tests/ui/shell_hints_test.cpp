@@ -213,6 +213,9 @@ void ShellHintsTest::lossesOfMoreThanTheWholeScoreSayWhereItEnds() {
     QCOMPARE(sum_said(9.5), QString());
     QCOMPARE(sum_said(65.7),
              QString("The losses add up to 155.7 points; a score does not go below 0."));
+    // As the points of each reason: 90 and 60 are 150, not 150.0.
+    QCOMPARE(sum_said(60),
+             QString("The losses add up to 150 points; a score does not go below 0."));
     shell_->whole("36_result_below_zero");
 }
 

@@ -188,6 +188,8 @@ void ShellReviewTest::secondAttemptIsComparedWithTheOwnBand() {
     auto* table = shell.find<QTableWidget>("metrics");
     int strips = 0;
     for (int row = 0; row < table->rowCount(); ++row)
+        QVERIFY2(!table->item(row, 2)->text().isEmpty(), qPrintable(table->item(row, 0)->text()));
+    for (int row = 0; row < table->rowCount(); ++row)
         strips += table->cellWidget(row, 5) != nullptr ? 1 : 0;
     QVERIFY(strips > 5);
     bool before = false;

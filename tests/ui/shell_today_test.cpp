@@ -31,7 +31,8 @@ class ShellTodayTest : public QObject {
     /// Publishes a course of one task in which any finished attempt counts, and assigns it.
     void assign(int64_t user, const std::string& id, const std::string& task,
                 const std::string& due) const;
-    void practise(int64_t user, const std::string& task) const;
+    void practise(int64_t user, const std::string& task,
+                  assessment::Verdict verdict = assessment::Verdict::kPassed) const;
     [[nodiscard]] std::string today() const { return load_training(shell_->context()).course.id; }
 
     std::unique_ptr<ShellHarness> shell_;
@@ -67,12 +68,13 @@ void ShellTodayTest::assign(int64_t user, const std::string& id, const std::stri
     shell_->owner().courses().assign(assignment);
 }
 
-void ShellTodayTest::practise(int64_t user, const std::string& task) const {
+void ShellTodayTest::practise(int64_t user, const std::string& task,
+                              assessment::Verdict verdict) const {
     db::AttemptResult result;
     result.header.task_id = task;
     result.header.started_utc = db::utc_now();
     result.score.points = 80;
-    result.score.verdict = assessment::Verdict::kPassed;
+    result.score.verdict = verdict;
     result.end.reason = sim::EndReason::kFinished;
     result.end.duration_s = 40;
     static uint64_t hash = 10;
@@ -130,6 +132,11 @@ void ShellTodayTest::aFinishedCourseGivesWayToOneThatIsToBeDone() {
     QCOMPARE(load_training(shell_->context()).next.kind, curriculum::NextKind::kStart);
     practise(ola, "grasp_and_lift");
     QCOMPARE(today(), std::string("due_first"));
+    // A failure is not headed by what an earlier attempt has mastered.
+    practise(ola, "trace_contour", assessment::Verdict::kFailed);
+    const QString failed =
+        course_words(shell_->context(), shell_->owner().attempts().list(ola).back());
+    QVERIFY2(failed.startsWith("This attempt failed; "), qPrintable(failed));
 }
 
 }  // namespace placode::ui

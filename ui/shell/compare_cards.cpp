@@ -82,7 +82,7 @@ QFrame* make_compare_metrics(AppContext& context, const db::AttemptDetail& first
         table->setItem(row, 0, make_cell(metric_name(each.name)));
         table->item(row, 0)->setData(Qt::UserRole, qstr(std::string(each.id)));
         table->item(row, 0)->setToolTip(metric_explanation(each, scope));
-        table->setItem(row, 1, make_cell(unit_sign(each.unit)));
+        table->setItem(row, 1, make_cell(each.unit.empty() ? "–" : unit_sign(each.unit)));
         table->setItem(row, 2, make_number_cell(metric_value(each, *a), *a));
         table->setItem(row, 3, make_number_cell(metric_value(each, *b), *b));
         const bool neutral = !judged || each.direction == assessment::Direction::kNeutral ||

@@ -82,14 +82,13 @@ QHBoxLayout* theme_line(const assessment::ThemeResult& result) {
     auto* text = new QVBoxLayout;
     text->setSpacing(0);
     text->addWidget(make_label(reports::theme_words(result.theme)));
-    QString words = result.lost < 0.05
-                        ? Result::tr("no points lost")
-                        : Result::tr("−%1 points").arg(format_number(result.lost, 1));
+    QString words = result.lost < 0.05 ? Result::tr("no points lost")
+                                       : Result::tr("−%1 points").arg(format_points(result.lost));
     if (result.critical) words = Result::tr("critical error") + ", " + words;
     if (result.before)
         words += " · " + (*result.before < 0.05
                               ? Result::tr("before: none lost")
-                              : Result::tr("before: −%1").arg(format_number(*result.before, 1)));
+                              : Result::tr("before: −%1").arg(format_points(*result.before)));
     text->addWidget(make_label(words, "small"));
     line->addLayout(text, 1);
     return line;
@@ -125,7 +124,7 @@ void add_other_reasons(QVBoxLayout* layout, AppContext& context,
                     scored ? Result::tr("Other reasons: %1, together −%2 "
                                         "points")
                                  .arg(reasons.size() - kShownReasons)
-                                 .arg(format_number(lost, 1))
+                                 .arg(format_points(lost))
                            : Result::tr("More: %1").arg(reasons.size() - kShownReasons),
                     "quiet");
     all->setObjectName("more_reasons");
@@ -189,7 +188,7 @@ QWidget* make_reasons_card(AppContext& context, const ResultData& data, const Sh
     if (scored && lost > kFullScore) {
         QLabel* sum =
             make_label(Result::tr("The losses add up to %1 points; a score does not go below 0.")
-                           .arg(format_number(lost, 1)),
+                           .arg(format_points(lost)),
                        "small");
         sum->setObjectName("reasons_sum");
         layout->addWidget(sum);
@@ -248,10 +247,7 @@ QWidget* make_ledger_card(AppContext& context, const ResultData& data,
     view->setObjectName("ledger");
     layout->addWidget(view);
     auto* foot = new QHBoxLayout;
-    QLabel* words = make_label(view->picture().entries.empty()
-                                   ? Result::tr("Nothing was harmed in this attempt.")
-                                   : Result::tr("Choose an entry to read what happened."),
-                               "muted");
+    QLabel* words = make_label(Result::tr("Choose an entry to read what happened."), "muted");
     words->setObjectName("ledger_words");
     QPushButton* button = make_button(context, Result::tr("Show"), "secondary", "play");
     button->setObjectName("show_entry");
@@ -259,6 +255,9 @@ QWidget* make_ledger_card(AppContext& context, const ResultData& data,
     foot->addWidget(words, 1);
     foot->addWidget(button);
     layout->addLayout(foot);
+    // That nothing was harmed the picture says itself; there is nothing to choose then.
+    for (QWidget* each : std::initializer_list<QWidget*>{words, button})
+        each->setVisible(!view->picture().entries.empty());
     view->selected = [view, words, button](int entry) {
         words->setText(view->words(entry));
         button->setEnabled(entry >= 0);

@@ -135,7 +135,10 @@ class MetricsTable {
             return minutes ? reports::minute_second(of) : metric_value(definition, of);
         };
         table_->setItem(row, 1, make_number_cell(text(value), value));
-        table_->setItem(row, 2, make_cell(minutes ? "min" : unit_sign(definition.unit)));
+        table_->setItem(row, 2,
+                        make_cell(minutes                   ? "min"
+                                  : definition.unit.empty() ? "–"
+                                                            : unit_sign(definition.unit)));
         table_->setItem(row, 3, make_number_cell(before ? text(*before) : "–", before.value_or(0)));
         table_->setItem(row, 4, change_cell(context_, definition.direction, value, before));
         std::vector<double> values;

@@ -92,9 +92,13 @@ QString words_in(AppContext& context, const Training& training, const db::Attemp
             continue;
         QString words;
         if (stage.progress.status == curriculum::StageStatus::kMastered)
-            words = StandingText::tr("Mastered in the course: %1.")
-                        .arg(training.taskTitle(context, stage.task_id)) +
-                    " ";
+            // Of an earlier attempt, where this one failed: else praise heads a failure.
+            words =
+                (record.verdict == assessment::Verdict::kFailed
+                     ? StandingText::tr("This attempt failed; mastered in the course before: %1.")
+                     : StandingText::tr("Mastered in the course: %1."))
+                    .arg(training.taskTitle(context, stage.task_id)) +
+                " ";
         return words + with_day_words(context.in(training.next.reason));
     }
     return {};

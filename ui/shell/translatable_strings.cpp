@@ -312,6 +312,7 @@ namespace {
     QT_TRANSLATE_NOOP("Figure", "instrument"),
     QT_TRANSLATE_NOOP("Figure", "min:s"),
     QT_TRANSLATE_NOOP("Figure", "No damage was recorded."),
+    QT_TRANSLATE_NOOP("Figure", "No energy reached tissue."),
     QT_TRANSLATE_NOOP("Figure", "12 = cranial"),
     QT_TRANSLATE_NOOP("Figure", "energy into tissue"),
     QT_TRANSLATE_NOOP("Figure", "critical"),

@@ -2082,6 +2082,10 @@
         <translation>wynik [punkty na 100]</translation>
     </message>
     <message>
+        <source>No energy reached tissue.</source>
+        <translation>Do tkanki nie dotarła energia.</translation>
+    </message>
+    <message>
         <source>pass mark of the task: %1</source>
         <translation>próg zaliczenia zadania: %1</translation>
     </message>
@@ -4882,6 +4886,10 @@
         <translation>Do poprzedniej strony (Alt i strzałka w lewo)</translation>
     </message>
     <message>
+        <source>This attempt failed; mastered in the course before: %1.</source>
+        <translation>Ta próba jest niezaliczona; w kursie zaliczono już wcześniej: %1.</translation>
+    </message>
+    <message>
         <source>Mastered in the course: %1.</source>
         <translation>Zaliczono w kursie: %1.</translation>
     </message>
@@ -5060,10 +5068,6 @@
     <message>
         <source>Damage over time</source>
         <translation>Uszkodzenia w czasie</translation>
-    </message>
-    <message>
-        <source>Nothing was harmed in this attempt.</source>
-        <translation>W tej próbie niczego nie uszkodzono.</translation>
     </message>
     <message>
         <source>Choose an entry to read what happened.</source>
