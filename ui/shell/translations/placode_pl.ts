@@ -671,7 +671,7 @@
     </message>
     <message>
         <source>Verdict</source>
-        <translation>Ocena</translation>
+        <translation>Zaliczenie</translation>
     </message>
     <message>
         <source>Time</source>
@@ -1276,7 +1276,7 @@
     </message>
     <message>
         <source>Cohort</source>
-        <translation>Grupa</translation>
+        <translation>Postępy</translation>
     </message>
     <message>
         <source>Only people who need help</source>
@@ -6807,7 +6807,7 @@
     </message>
     <message>
         <source>Cohort</source>
-        <translation>Grupa</translation>
+        <translation>Postępy</translation>
     </message>
     <message>
         <source>Ratings</source>
@@ -6843,7 +6843,7 @@
     </message>
     <message>
         <source>Courses</source>
-        <translation>Kursy</translation>
+        <translation>Wszystkie kursy</translation>
     </message>
     <message>
         <source>Groups</source>
@@ -9287,7 +9287,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>Courses</source>
-        <translation>Kursy</translation>
+        <translation>Wszystkie kursy</translation>
     </message>
     <message>
         <source>came with the program</source>
@@ -11832,7 +11832,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>Cohort</source>
-        <translation>Grupa</translation>
+        <translation>Postępy</translation>
     </message>
     <message>
         <source>Attempts</source>
