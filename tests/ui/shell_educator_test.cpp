@@ -67,6 +67,7 @@ class ShellEducatorTest : public QObject {
     void searchKeepsToTheRights();
     void lastPageIsRemembered();
     void aTaskThatNobodyCountsInSaysSo();
+    void namesAreShownWhereThereIsRoom();
 
  private:
     void add(const QString& name, const std::string& login, const std::vector<double>& points);
@@ -652,6 +653,38 @@ void ShellEducatorTest::aTaskThatNobodyCountsInSaysSo() {
     QVERIFY(QTest::qWaitFor([&] { return shell.find<QLabel>("standard_nobody") != nullptr; }));
     QVERIFY(shell.find<QTableWidget>("standard_people") == nullptr);
     QVERIFY(shell.find<QPushButton>("mark_novices") == nullptr);
+}
+
+// "Demonstra..." stood beside sixteen columns with room, and a long name before an empty bar.
+void ShellEducatorTest::namesAreShownWhereThereIsRoom() {
+    ShellHarness& shell = *shell_;
+    const std::vector<std::string> tasks{"familiarisation", "grasp_and_lift", "irrigate",
+                                         "patch_place",     "suture_bite",    "touch_targets"};
+    const int64_t anna = shell.owner().accounts().find_login("anna")->id;
+    uint64_t hash = 100;
+    for (const std::string& task : tasks) {
+        db::AttemptResult result;
+        result.header.task_id = task;
+        result.header.started_utc = "2026-03-03T10:00:00Z";
+        result.end.reason = sim::EndReason::kFinished;
+        result.end.duration_s = 200;
+        result.end.final_hash = ++hash;
+        result.score.points = 50;
+        result.score.verdict = assessment::Verdict::kNotYet;
+        (void)shell.owner().attempts().save(anna, result);
+    }
+    shell.window().resize(1024, 768);
+    shell.window().open({PageId::kCohort, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kCohort));
+    const auto* table = shell.find<QTableWidget>("cohort_table");
+    QVERIFY(table != nullptr && table->columnCount() > 6);
+    QTest::qWait(100);
+    QVERIFY2(table->columnWidth(0) >= 170, qPrintable(QString::number(table->columnWidth(0))));
+    shell.window().resize(1366, 768);
+    const QString name = "Katarzyna Brzozowska-Nowakowska of Gdansk";
+    add(name, "katarzyna", {});
+    QVERIFY(shell.signIn("katarzyna", "first password"));
+    QCOMPARE(shell.find<QToolButton>("user_menu")->text(), name);
 }
 
 }  // namespace placode::ui

@@ -26,6 +26,7 @@ namespace placode::ui {
 namespace {
 
 constexpr int kFewTasks = 170, kManyTasks = 116, kLeastTask = 40;  ///< Width of a column [px].
+constexpr int kRoomForScore = 44;  ///< Of a column that holds a sign and a score [px].
 
 using assessment::CohortCell;
 using assessment::Standing;
@@ -173,11 +174,13 @@ class CohortPage : public Page {
             table_->setColumnWidth(c, manyTasks() ? kManyTasks : kFewTasks);
         table_->horizontalHeader()->setMinimumSectionSize(kLeastTask);
         wrap_titles(table_);
-        // A name ends in dots before the scores of sixteen tasks scroll sideways.
+        // A name ends in dots before the scores of sixteen tasks scroll sideways, and not before
+        // they have given way to it.
         keep_within(table_, {.stretch = 0,
                              .least_px = 180,
                              .keep_px = manyTasks() ? 104 : 180,
                              .least_column_px = kLeastTask,
+                             .give_way_px = manyTasks() ? kRoomForScore : 0,
                              .drop = {1}});
         table_->setMinimumHeight(std::min(10, table_->rowCount() + 3) * kTouchTarget + 20);
         connect(table_, &QTableWidget::cellActivated, this, [this](int row, int column) {

@@ -11,6 +11,7 @@
 #include "ui/shell/help_window.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/waiting_recordings.h"
 
 namespace placode::ui {
 
@@ -18,7 +19,7 @@ namespace {
 
 constexpr int kRailWidth = 216, kNarrowRail = 72;
 constexpr int kScrollBar = 12;       ///< As in the style sheet.
-constexpr int kLongestName = 180;    ///< Of the person in the top bar [px].
+constexpr int kLongestName = 400;    ///< Of the person in the top bar [px].
 constexpr int kShortestName = 48;    ///< [px]
 constexpr int kNarrowWindow = 1200;  ///< [px], of the screen's own scale.
 

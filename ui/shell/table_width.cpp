@@ -99,7 +99,11 @@ class WidthKeeper : public QObject {
             else
                 shown.push_back(wanted_[static_cast<size_t>(c)]);
         }
-        const int most = widest_allowed(shown, room - fit_.keep_px - fixed, fit_.least_column_px);
+        const int given = room - fixed - static_cast<int>(shown.size()) * fit_.give_way_px;
+        const int kept = fit_.give_way_px > 0
+                             ? std::max(fit_.keep_px, std::min(fit_.least_px, given))
+                             : fit_.keep_px;
+        const int most = widest_allowed(shown, room - kept - fixed, fit_.least_column_px);
         for (int c = 0; c < table_->columnCount(); ++c)
             if (c != fit_.stretch && !left_out.contains(c) && !buttons_.contains(c))
                 table_->setColumnWidth(c, std::min(most, wanted_[static_cast<size_t>(c)]));

@@ -14,6 +14,8 @@ struct TableFit {
     int least_px = 110;          ///< Width below which columns are left out.
     int keep_px = 110;           ///< Width that it keeps while the others are narrowed.
     int least_column_px = 52;    ///< Nothing is narrowed below this.
+    int give_way_px = 0;         ///< Down to this the others make room until the column that
+                                 ///< takes the rest has least_px; 0: it has keep_px alone.
     std::vector<int> drop = {};  ///< Columns to leave out, the first one first: what a click
                                  ///< on the row shows anyway.
 };
