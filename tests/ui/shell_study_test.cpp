@@ -150,6 +150,7 @@ void ShellStudyTest::consentNeedsEveryStatement() {
     auto* words = shell.find<QLabel>("consent_missing");
     QVERIFY2(words->height() <= 3 * words->fontMetrics().height(),
              qPrintable(QString::number(words->height())));
+    QVERIFY2(shell.text("consent_language").contains("clears the ticks"), "said before it is done");
     shell.shot("61_consent");
     shell.context().setLanguage("pl");
     QVERIFY(shell.arrives(PageId::kStudyRun));

@@ -30,6 +30,12 @@ class ConsentForm : public QWidget {
 
  private:
     void addStatements(QVBoxLayout* layout, const curriculum::Consent& consent) {
+        // Consent is given in the language that it was read in: nothing is carried over.
+        QLabel* before = make_label(tr("Choose the language first: another language or another "
+                                       "theme clears the ticks and the signature."),
+                                    "small");
+        before->setObjectName("consent_language");
+        layout->addWidget(before);
         for (const auto& statement : consent.statements) {
             auto* box = new QCheckBox(context_.in(statement.text));
             box->setObjectName("consent_" + qstr(statement.id));

@@ -6009,6 +6009,10 @@
         <translation>oświadczenia do zaznaczenia: %1</translation>
     </message>
     <message>
+        <source>Choose the language first: another language or another theme clears the ticks and the signature.</source>
+        <translation>Najpierw wybierz język: zmiana języka lub motywu usuwa zaznaczenia i podpis.</translation>
+    </message>
+    <message>
         <source>the signature, or the mark that it was signed on paper</source>
         <translation>podpis albo zaznaczenie, że podpisano na papierze</translation>
     </message>
