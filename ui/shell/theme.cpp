@@ -151,6 +151,9 @@ QTableWidget::item:hover { background: @hover@; }
 QTableWidget::item:selected { background: @accent_soft@; color: @text@; }
 QHeaderView { background: transparent; }
 QHeaderView::section { background: @raised@; color: @muted@; border: none; border-bottom: 1px solid @field@; padding: 0 12px; min-height: 40px; font-size: 12px; font-weight: 600; text-align: left; }
+QHeaderView::section:horizontal:first { border-top-left-radius: 7px; }
+QHeaderView::section:horizontal:last { border-top-right-radius: 7px; }
+QHeaderView::section:horizontal:only-one { border-top-left-radius: 7px; border-top-right-radius: 7px; }
 QHeaderView::section:hover { color: @text@; }
 QTableCornerButton::section { background: @raised@; border: none; }
 QProgressBar { border: none; border-radius: 4px; background: @line@; min-height: 8px; max-height: 8px; }
