@@ -17,7 +17,7 @@ class PrivateFile : public WholeFile {
  public:
     explicit PrivateFile(const std::string& path) : WholeFile(QString::fromStdString(path)) {}
     bool open(OpenMode mode) override {
-        return QSaveFile::open(mode) && setPermissions(ReadOwner | WriteOwner);
+        return WholeFile::open(mode) && setPermissions(ReadOwner | WriteOwner);
     }
 };
 

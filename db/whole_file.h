@@ -3,6 +3,7 @@
 #pragma once
 // A file that is there whole, or as it was before.
 
+#include <QFileInfo>
 #include <QSaveFile>
 
 namespace placode::db {
@@ -13,6 +14,13 @@ namespace placode::db {
 class WholeFile : public QSaveFile {
  public:
     using QSaveFile::QSaveFile;
+    /// False also for a device or pipe: what is put in its place takes it away from everybody.
+    bool open(OpenMode mode) override {
+        const QFileInfo there(fileName());
+        if (!there.exists() || there.isFile() || there.isDir()) return QSaveFile::open(mode);
+        setErrorString(QStringLiteral("it is no file but a device or pipe"));
+        return false;
+    }
     /// False, and what was there stays, unless every byte is on its way to the disk; errorString()
     /// says why.
     bool commit() {

@@ -54,12 +54,14 @@ void draw_line(QPainter& painter, const Panel& panel, const std::vector<double>&
     for (const QPointF& point : line) painter.drawEllipse(point, dot, dot);
 }
 
+constexpr double kNamePx = 180;  ///< Beside a panel, for names of limits: in Polish they are long.
+
 void draw_limit(QPainter& painter, const Panel& panel, double value, const QString& name,
                 const ChartStyle& style) {
     painter.setPen(QPen(colour(style.warn), 1.2, Qt::DashLine));
     painter.drawLine(QPointF(panel.plot.left(), panel.y.at(value)),
                      QPointF(panel.plot.right(), panel.y.at(value)));
-    draw_text(painter, QRectF(panel.plot.right() + 6, panel.y.at(value) - 8, 150, 16),
+    draw_text(painter, QRectF(panel.plot.right() + 6, panel.y.at(value) - 8, kNamePx, 16),
               Qt::AlignVCenter, name, style.text, 11);
 }
 
@@ -81,7 +83,7 @@ void draw_learning(QPainter& painter, const QRectF& where, const std::vector<Lea
     size_t longest = 1;
     for (const LearningLine& line : lines) longest = std::max(longest, line.points.size());
     Panel scores, sums;
-    const double left = where.left() + 52, right = where.right() - 160;
+    const double left = where.left() + 52, right = where.right() - kNamePx - 8;
     scores.plot = QRectF(left, where.top() + 22, right - left, where.height() * 0.5 - 30);
     sums.plot = QRectF(left, where.top() + where.height() * 0.5 + 22, right - left,
                        where.height() * 0.5 - 62);
@@ -105,9 +107,9 @@ void draw_learning(QPainter& painter, const QRectF& where, const std::vector<Lea
         draw_line(painter, scores, line.points, 1, QPen(colour(style.muted), 0.8), 1.6);
     draw_line(painter, scores, means_of(lines), 1, QPen(colour(style.accent), 2.4), 3.4);
     if (lines.size() > 1) {
-        draw_text(painter, QRectF(right + 6, scores.plot.bottom() - 34, 150, 16), Qt::AlignLeft,
+        draw_text(painter, QRectF(right + 6, scores.plot.bottom() - 34, kNamePx, 16), Qt::AlignLeft,
                   figure_word("thick: mean of all"), style.accent, 11);
-        draw_text(painter, QRectF(right + 6, scores.plot.bottom() - 18, 150, 16), Qt::AlignLeft,
+        draw_text(painter, QRectF(right + 6, scores.plot.bottom() - 18, kNamePx, 16), Qt::AlignLeft,
                   figure_word("thin: each person"), style.muted, 11);
     }
     draw_axes(painter, sums, figure_word("CUSUM of attempts not passed"), true, style);

@@ -6,6 +6,7 @@
 #include "db/durable_file.h"
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 
@@ -109,6 +110,23 @@ TEST_F(DurableFile, AFileThatTheDiskDoesNotTakeWholeIsNotPutInPlaceOfTheOld) {
             EXPECT_FALSE(kept_with(room, path, std::string(size, 'x'))) << size << " " << room;
             EXPECT_EQ(read_text(path), "as it was") << size << " " << room;
         }
+}
+
+// Renamed over /dev/full by an administrator, a report takes it away from every program.
+TEST_F(DurableFile, AFileTakesThePlaceOfNoDeviceAndNoPipe) {
+    begin_again();
+    const std::string path = folder->file("pipe");
+    ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    const auto entries = [&] {
+        return std::distance(fs::directory_iterator(folder->path()), fs::directory_iterator());
+    };
+    const auto before = entries();
+    db::WholeFile file(QString::fromStdString(path));
+    EXPECT_FALSE(file.open(QIODevice::WriteOnly));
+    EXPECT_THAT(file.errorString().toStdString(), HasSubstr("no file but a device"));
+    EXPECT_FALSE(db::PrivateFile(path).open(QIODevice::WriteOnly));
+    EXPECT_TRUE(fs::is_fifo(path));
+    EXPECT_EQ(entries(), before) << "nothing beside it";
 }
 
 // A copy that fills the store's own disk takes the store with it.
