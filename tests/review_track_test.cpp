@@ -35,7 +35,7 @@ class Bytes {
     std::vector<Value> take(size_t count) {
         std::vector<Value> values(count);
         EXPECT_LE(at_ + count * sizeof(Value), static_cast<size_t>(all_.size()));
-        std::memcpy(values.data(), all_.constData() + at_, count * sizeof(Value));
+        if (count > 0) std::memcpy(values.data(), all_.constData() + at_, count * sizeof(Value));
         at_ += count * sizeof(Value);
         return values;
     }

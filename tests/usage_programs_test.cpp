@@ -109,6 +109,16 @@ TEST_F(Usage, AMisspeltWordIsAnsweredWithTheOneThatWasMeant) {
     EXPECT_EQ(run("placode", "--help-all", "QT_QPA_PLATFORM=offscreen").status, 2);
 }
 
+TEST_F(Usage, AValueOfAnyLengthIsRefusedAndEndsNoProgram) {
+    const std::string longest(100000, '9');
+    for (const char* sign : {"x", "", ".5e400"}) {
+        const Outcome sim = run("placode-sim", "--duration " + longest + sign);
+        EXPECT_EQ(sim.status, 2) << sign;
+        EXPECT_THAT(sim.err, HasSubstr("--duration: found \"9999")) << sim.err.substr(0, 300);
+        EXPECT_EQ(ctl("bench store --users " + longest + sign).status, 2) << sign;
+    }
+}
+
 TEST_F(Usage, AStrangeWordIsNotGuessedAt) {
     const Outcome said = ctl("theremin");
     EXPECT_EQ(said.status, 2);

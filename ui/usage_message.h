@@ -52,8 +52,17 @@ inline std::string list_of(const std::vector<std::string>& words) {
 
 inline std::string quoted(const std::string& word) { return "\"" + word + "\""; }
 
+/// Without the middle of what is longer than any option: std::regex calls itself for every letter,
+/// and a value of 100,000 would end the program.
+inline std::string without_middle(const std::string& said) {
+    constexpr size_t kSide = 1000;
+    if (said.size() <= 2 * kSide) return said;
+    return said.substr(0, kSide) + "..." + said.substr(said.size() - kSide);
+}
+
 /// What CLI11 says of a value, in our form: its own sentence when it is none of the known ones.
-inline std::string value_message(const std::string& said) {
+inline std::string value_message(const std::string& sentence) {
+    const std::string said = without_middle(sentence);
     static const std::regex kNoMember(R"(^(?:(.+?): )?(.*) not in \{(.*)\}$)");
     static const std::regex kRange(
         R"(^(?:(.+?): )?Value (.*) not in range \[?(.*?)(?: - | to )(.*?)\]?$)");
