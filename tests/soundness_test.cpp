@@ -5,6 +5,9 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+#include <limits>
+
 namespace placode::assessment {
 namespace THIS_TEST {
 
@@ -96,6 +99,61 @@ TEST(Soundness, AListIsAsLongAsItsHeadTells) {
         twice.events.push_back(event(kind, 2, 1e-3F));
         EXPECT_NE(problem(twice), "") << event_name(kind);
     }
+}
+
+/// Each alone, so that no other rule stands in for the one that is gone.
+TEST(Soundness, EveryNumberThatScoringTakesIsInItsRange) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    constexpr float kFloatNan = std::numeric_limits<float>::quiet_NaN();
+    struct Change {
+        const char* said;
+        std::function<void(sim::Recording&)> make;
+    };
+    const Change changes[]{
+        {"frame_s is", [](auto& r) { r.header.frame_s = 0; }},
+        {"frame_s is", [](auto& r) { r.header.frame_s = kNan; }},
+        {"sample_s is", [](auto& r) { r.header.sample_s = -1e-2; }},
+        {"sample_s is", [](auto& r) { r.header.sample_s = 1e300; }},
+        {"it has 0 tools", [](auto& r) { r.header.tools.clear(); }},
+        {"duration_s is", [](auto& r) { r.end.duration_s = 1e300; }},
+        {"duration_s is", [](auto& r) { r.end.duration_s = -0.1; }},
+        {"its inputs last", [](auto& r) { r.end.duration_s = 0.2; }},
+        {"planned_contour_m has 0 points", [](auto& r) { r.header.geometry.planned_contour = {}; }},
+        {"planned_contour_m has a point",
+         [](auto& r) { r.header.geometry.planned_contour[1].x() = kNan; }},
+        {"placode_edge_m has 2 points", [](auto& r) { r.header.geometry.placode_edge.pop_back(); }},
+        {"skin_edge_m has 2 points", [](auto& r) { r.header.geometry.skin_edge.pop_back(); }},
+        {"target_depth_m is", [](auto& r) { r.header.geometry.target_depth_m = -1; }},
+        {"placode_volume_m3 is", [](auto& r) { r.header.geometry.placode_volume_m3 = 0; }},
+        {"the input of frame 51 follows", [](auto& r) { r.inputs[50].frame = 51; }},
+        {"is of 2 tools", [](auto& r) { r.inputs[50].tool_count = 2; }},
+        {"has 0 substeps", [](auto& r) { r.inputs[50].substeps = 0; }},
+        {"a hand that lies nowhere",
+         [](auto& r) { r.inputs[50].tools[0].position_m[0] = kFloatNan; }},
+        {"sample 5 is at", [](auto& r) { r.samples[5].time_s = r.samples[4].time_s; }},
+        {"a tip that lies nowhere", [](auto& r) { r.samples[5].tools[0].tip_m[0] = kFloatNan; }},
+        {"a force that is no number",
+         [](auto& r) { r.samples[5].tools[0].force_n[0] = kFloatNan; }},
+        {"a temperature, dose or volume", [](auto& r) { r.samples[5].placode_burned_m3 = -1; }},
+        {"a share that was cut", [](auto& r) { r.samples[5].cut_fraction = 2; }},
+        {"samples for 0.1 s", [](auto& r) { r.samples.resize(5); }},
+    };
+    for (const Change& change : changes) {
+        sim::Recording changed = sound();
+        change.make(changed);
+        EXPECT_THAT(problem(changed), HasSubstr(change.said));
+    }
+}
+
+TEST(Soundness, TheEndRepeatsTheLastHash) {
+    sim::Recording r = sound();
+    Event last = event(EventKind::kStateHash, 0);
+    last.hash = 7;
+    r.events = {last};
+    r.end.final_hash = 7;
+    EXPECT_EQ(problem(r), "");
+    r.end.final_hash = 8;
+    EXPECT_EQ(problem(r), "final_hash is not the hash of its last state");
 }
 
 }  // namespace THIS_TEST
