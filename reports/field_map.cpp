@@ -127,7 +127,7 @@ void draw_sectors(QPainter& painter, const sim::FieldGeometry& geometry, const M
 void draw_energy(QPainter& painter, const QRectF& where, const sim::Recording& recording,
                  const Map& map, double outer, const ChartStyle& style) {
     constexpr double kCellM = 0.0005;
-    const int side = 2 * static_cast<int>(std::ceil(outer / kCellM)) + 1;
+    const int middle = static_cast<int>(std::ceil(outer / kCellM)), side = 2 * middle + 1;
     const auto n = static_cast<size_t>(side);
     std::vector<double> joule(n * n, 0);
     const auto tools = std::min<size_t>(recording.header.tools.size(), sim::kMaxTools);
@@ -135,8 +135,8 @@ void draw_energy(QPainter& painter, const QRectF& where, const sim::Recording& r
         for (size_t t = 0; t < tools; ++t) {
             const sim::ToolSample& tool = sample.tools[t];
             if (!(tool.power_w > 0)) continue;
-            const auto i = std::lround(tool.tip_m[0] / kCellM) + side / 2;
-            const auto j = std::lround(tool.tip_m[1] / kCellM) + side / 2;
+            const auto i = std::lround(tool.tip_m[0] / kCellM) + middle;
+            const auto j = std::lround(tool.tip_m[1] / kCellM) + middle;
             if (i < 0 || j < 0 || i >= side || j >= side) continue;
             joule[static_cast<size_t>(i) * n + static_cast<size_t>(j)] +=
                 tool.power_w * recording.header.sample_s;
@@ -149,8 +149,8 @@ void draw_energy(QPainter& painter, const QRectF& where, const sim::Recording& r
             if (!(joule[i * n + j] > 0)) continue;
             QColor fill = colour(style.warn);
             fill.setAlphaF(static_cast<float>(0.15 + 0.85 * joule[i * n + j] / most));
-            const double x = (static_cast<double>(i) - side / 2) * kCellM,
-                         y = (static_cast<double>(j) - side / 2) * kCellM;
+            const double x = (static_cast<int>(i) - middle) * kCellM,
+                         y = (static_cast<int>(j) - middle) * kCellM;
             const double px = kCellM * map.scale;
             painter.fillRect(QRectF(map(x, y) - QPointF(px / 2, px / 2), QSizeF(px, px)), fill);
         }
