@@ -115,18 +115,18 @@ class AnswerFields {
                          });
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace8);
-        auto* ends = new QHBoxLayout;
+        auto* points = new QVBoxLayout;
         if (few) {
             for (QLabel* label : {low, high}) label->setFixedWidth(150);
             low->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
             row->addWidget(low);
         } else {
             high->setAlignment(Qt::AlignRight);
+            auto* ends = new QHBoxLayout;  // Above, over the ends of the points.
             ends->addWidget(low);
             ends->addWidget(high);
+            points->addLayout(ends);
         }
-        auto* points = new QVBoxLayout;  // The words above stand over the ends of the points.
-        if (!few) points->addLayout(ends);
         points->addLayout(grid);
         row->addLayout(points);
         if (few) row->addWidget(high);
