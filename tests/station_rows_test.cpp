@@ -56,6 +56,8 @@ class StationRows : public StoreTest {
         std::string begin, end;  ///< About the number of the account.
     };
     void expect_own_names(const std::vector<Row>& rows) const;
+    /// Of the study "pilot".
+    std::string new_participant_with_answers();
 
     int64_t anna_ = 0;
 };
@@ -72,6 +74,16 @@ void StationRows::expect_own_names(const std::vector<Row>& rows) const {
                     HasSubstr(kMayNot))
             << each.begin;
     }
+}
+
+std::string StationRows::new_participant_with_answers() {
+    db::AnswerRecord answers;
+    answers.study_id = "pilot";
+    answers.participant = open()->studies().new_participant("pilot");
+    answers.questionnaire_id = "sus";
+    answers.answers = {{"sus01", "4"}};
+    open()->studies().save_answers(answers);
+    return answers.participant;
 }
 
 // It would be the exam's, and nobody would simulate it again.
@@ -136,13 +148,7 @@ TEST_P(StationRows, WhoGrantsAssignsCorrectsAndWithdrawsSaysSoInTheOwnName) {
                   kate = add("kate", db::Role::kCoordinator), eva = add("eva", db::Role::kEducator),
                   ewa = add("ewa", db::Role::kEducator);
     const std::string code = open()->studies().new_participant("pilot");
-    const std::string other = open()->studies().new_participant("pilot");
-    db::AnswerRecord answers;
-    answers.study_id = "pilot";
-    answers.participant = other;
-    answers.questionnaire_id = "sus";
-    answers.answers = {{"sus01", "4"}};
-    open()->studies().save_answers(answers);
+    const std::string other = new_participant_with_answers();
     station_of("kate")->studies().withdraw("pilot", code, db::WithdrawalMode::kKeep, "asked");
     const std::string anna = std::to_string(anna_);
     expect_own_names(
@@ -178,13 +184,7 @@ TEST_P(StationRows, WhoNotesChoosesEntersSupersedesInvitesAndTrustsSaysSoInTheOw
                   ewa = add("ewa", db::Role::kEducator), ada = add("ada", db::Role::kAdministrator),
                   adam = add("adam", db::Role::kAdministrator);
     const std::string code = open()->studies().new_participant("pilot");
-    const std::string other = open()->studies().new_participant("pilot");
-    db::AnswerRecord answers;
-    answers.study_id = "pilot";
-    answers.participant = other;
-    answers.questionnaire_id = "sus";
-    answers.answers = {{"sus01", "4"}};
-    open()->studies().save_answers(answers);
+    const std::string other = new_participant_with_answers();
     (void)open()->attempts().save(anna_, make_result());
     station_of("kate")->studies().set_participant_device("pilot", code, "mouse");
     ASSERT_TRUE(raw().run(
