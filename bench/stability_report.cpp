@@ -39,8 +39,9 @@ std::string stability_report(const std::vector<sim::StabilityResult>& results,
         "(edges within 2 % and nothing inverted, from then to the end), re-seeded (an event says "
         "so), refused at load (with the reason), FAILS.\n\nCases of needle and thread: the field "
         "of `suture_bite`; the scripted expert bites, then the hand does what no hand should. As "
-        "many "
-        "frames without sense as random pokes.\n\n"
+        "many frames without sense as random pokes. Cases of the patch: the field of "
+        "`patch_place`, "
+        "the first with a hole of 4 x 8 mm below the patch.\n\n"
         "| case | method | verdict | after | detail |\n|---|---|---|---|---|\n";
     for (const sim::StabilityResult& r : results)
         text += "| " + r.name + " | `" + r.method + "` | " + sim::verdict_name(r.verdict) + " | " +

@@ -93,32 +93,4 @@ void SutureStage::frames(double seconds) {
     for (int64_t n = 0; n < count; ++n) frame();
 }
 
-double SutureStage::farthest() const {
-    double most = 0;
-    const sim::SoftBodyState& body = state_->body;
-    for (int32_t t = 0; t < scene_->body.tet_count(); ++t) {
-        const auto at = static_cast<size_t>(t);
-        if (body.tet_alive[at] == 0 || state_->pieces.of[at] >= 0) continue;
-        for (const int32_t v : corners(scene_->body, body, t)) {
-            // Copies that cuts and tears made began at another vertex's place.
-            const auto n = static_cast<size_t>(v);
-            if (n >= at_rest_.size() || body.free_vertex[n] != 0) continue;
-            const double path = (to_vec(body.x[n]) - to_vec(at_rest_[n])).norm();
-            most = std::isfinite(path) ? std::max(most, path) : 1;
-        }
-    }
-    return most;
-}
-
-double SutureStage::fastest() const {
-    double most = 0;
-    const sim::SoftBodyState& body = state_->body;
-    for (size_t v = 0; v < body.v.size(); ++v) {
-        const double speed = to_vec(body.v[v]).norm();
-        if (!std::isfinite(speed)) return 1e3;
-        if (body.free_vertex[v] == 0) most = std::max(most, speed);
-    }
-    return most;
-}
-
 }  // namespace placode::bench

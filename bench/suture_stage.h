@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "bench/tissue_watch.h"
 #include "curriculum/task.h"
 #include "sim/core/geometry.h"
 #include "sim/step/step.h"
@@ -41,11 +42,8 @@ class SutureStage {
     void frame();
     void frames(double seconds);
 
-    /// Largest way of tissue that something holds from where it lay before anything came; what was
-    /// torn off drifts or goes where it is drawn.
-    [[nodiscard]] double farthest() const;
-    /// Speed of the fastest vertex that anything holds; crumbs drift.
-    [[nodiscard]] double fastest() const;
+    [[nodiscard]] double farthest() const { return farthest_tissue(*scene_, *state_, at_rest_); }
+    [[nodiscard]] double fastest() const { return fastest_vertex(*state_); }
     [[nodiscard]] const sim::SutureState& needle() const { return state_->suturing.needle[0]; }
     [[nodiscard]] const sim::Suturing& suturing() const { return state_->suturing; }
     [[nodiscard]] sim::Pose hand_pose() const { return inputs_[driver_].pose(); }
