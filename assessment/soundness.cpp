@@ -209,6 +209,8 @@ bool is_an_amount(sim::EventKind kind) {
         case kWatertight:
         case kPatchEdge:
         case kPatchFold:
+        case kSlitPressed:
+        case kSlitOpened:
         case kThreadCut:
         case kThreadToreOut:
             return true;
@@ -264,8 +266,9 @@ Problem event_problem(const Recording& r) {
                 .with(number(least));
         if (event.kind == sim::EventKind::kStateHash) last_hash = &event;
     }
-    for (const auto kind : {sim::EventKind::kThermalSpread, sim::EventKind::kRingGap,
-                            sim::EventKind::kSlitGap, sim::EventKind::kPatchEdge})
+    for (const auto kind :
+         {sim::EventKind::kThermalSpread, sim::EventKind::kRingGap, sim::EventKind::kSlitGap,
+          sim::EventKind::kSlitOpened, sim::EventKind::kPatchEdge})
         if (Problem problem = list_problem(r, kind)) return problem;
     // The attempt's last event is the hash that the end repeats.
     if (whole_time(r) && last_hash != nullptr && last_hash->hash != r.end.final_hash)

@@ -62,7 +62,7 @@ TEST(Soundness, NothingHarmfulIsLessThanNone) {
     for (const EventKind kind :
          {EventKind::kTorn, EventKind::kPlacodeContact, EventKind::kOverForce, EventKind::kBuried,
           EventKind::kWatertight, EventKind::kThreadDrawn, EventKind::kStretchSum,
-          EventKind::kPatchFold}) {
+          EventKind::kPatchFold, EventKind::kSlitPressed}) {
         auto r = sound();
         r.events = {event(kind, 1e-9F, 1e-3F)};
         EXPECT_EQ(problem(r), "") << event_name(kind);
@@ -84,8 +84,8 @@ TEST(Soundness, NothingIsLost) {
 }
 
 TEST(Soundness, AListIsAsLongAsItsHeadTells) {
-    for (const EventKind kind : {EventKind::kSlitGap, EventKind::kPatchEdge, EventKind::kRingGap,
-                                 EventKind::kThermalSpread}) {
+    for (const EventKind kind : {EventKind::kSlitGap, EventKind::kSlitOpened, EventKind::kPatchEdge,
+                                 EventKind::kRingGap, EventKind::kThermalSpread}) {
         auto whole = sound();
         whole.events = {event(kind, 2, 1e-3F), event(kind, 1e-3F, 0, 0), event(kind, 5e-3F, 0, 1)};
         EXPECT_EQ(problem(whole), "") << event_name(kind);

@@ -216,11 +216,108 @@ TEST(Watertight, TheSameOnOtherNumbersOfThreadsAndTheAttemptGoesOnAsIfNobodyHadT
         EXPECT_EQ(from_one[i].element, from_two[i].element);
         watertight += from_one[i].kind == EventKind::kWatertight ? 1 : 0;
     }
-    EXPECT_EQ(watertight, 2 * (1 + static_cast<int>(scene->slit.stations.size())) + 1);
+    EXPECT_EQ(watertight, 3 * (1 + static_cast<int>(scene->slit.stations.size())));
     EXPECT_EQ(one.frame, 0);
     const auto untested = build_operative_field(test::pad());
     State state(*untested, 1);
     EXPECT_TRUE(watertight_events(*untested, state).empty());
+}
+
+/// What the stations say, pressure by pressure.
+struct StationList {
+    double pressure_pa = 0, sum_ml_min = 0;
+    std::vector<double> leak_ml_min, gap_m;
+};
+std::vector<StationList> lists_of(const std::vector<Event>& events, size_t stations) {
+    std::vector<StationList> lists;
+    for (const Event& e : events) {
+        if (e.element < 0) continue;
+        const auto value = static_cast<double>(e.value);
+        if (e.kind == EventKind::kWatertight) {
+            if (lists.empty() || lists.back().leak_ml_min.size() == stations)
+                lists.push_back({static_cast<double>(e.value2), 0, {}, {}});
+            lists.back().leak_ml_min.push_back(kPerMl * value);
+            lists.back().sum_ml_min += kPerMl * value;
+        } else if (e.kind == EventKind::kSlitPressed) {
+            EXPECT_EQ(static_cast<double>(e.value2), lists.back().pressure_pa);
+            EXPECT_EQ(lists.back().gap_m.size() + 1, lists.back().leak_ml_min.size());
+            lists.back().gap_m.push_back(value);
+        }
+    }
+    return lists;
+}
+
+/// Held at every fourth station only, it gives way between them, the middle of a stretch first.
+TEST(Watertight, EveryStationSaysWhatItLeaksAtEachPressureAndWhenItOpens) {
+    const auto& scene = pad_scene();
+    const size_t stations = scene->slit.stations.size();
+    State state(*scene, 1);
+    const State rest(*scene, 1);
+    draw_together(*scene, state, 0);
+    for (size_t i = 0; i < stations; ++i) {
+        if (i % 6 == 0) continue;
+        const Slit::Station& s = scene->slit.stations[i];
+        for (const int32_t v : {s.left[0], s.left[1], s.right[0], s.right[1]})
+            state.body.x[static_cast<size_t>(v)].w = rest.body.x[static_cast<size_t>(v)].w;
+    }
+    settle(*scene, state, 0.3);
+    const std::vector<Event> events = watertight_events(*scene, state);
+    const Result whole = read(events);
+    const std::vector<StationList> lists = lists_of(events, stations);
+    ASSERT_EQ(lists.size(), 3U);
+    EXPECT_NEAR(lists[0].sum_ml_min, whole.pass_ml_min, 1e-4 * whole.pass_ml_min + 1e-9);
+    EXPECT_NEAR(lists[1].sum_ml_min, whole.good_ml_min, 1e-4 * whole.good_ml_min + 1e-9);
+    EXPECT_NEAR(lists[2].sum_ml_min, whole.burst_ml_min, 1e-4 * whole.burst_ml_min + 1e-9);
+    EXPECT_EQ(lists[2].pressure_pa, whole.held_pa);
+    for (const StationList& list : lists)
+        for (size_t i = 0; i < stations; ++i)
+            EXPECT_EQ(list.leak_ml_min[i] > 0, list.gap_m[i] > 0) << i;
+    std::vector<const Event*> opened;
+    for (const Event& e : events)
+        if (e.kind == EventKind::kSlitOpened) opened.push_back(&e);
+    ASSERT_EQ(opened.size(), stations + 1);
+    EXPECT_EQ(opened[0]->element, -1);
+    EXPECT_EQ(opened[0]->value, static_cast<float>(stations));
+    ASSERT_EQ(opened[0]->value2, 1) << "it burst";
+    const double open_ml_min = 10 * kOpenShare;
+    for (size_t i = 0; i < stations; ++i) {
+        const Event& e = *opened[i + 1];
+        EXPECT_EQ(e.element, static_cast<int32_t>(i));
+        // What is open at a pressure has opened by then.
+        for (const StationList& list : lists)
+            if (list.leak_ml_min[i] > open_ml_min) {
+                EXPECT_EQ(e.value2, 1) << i;
+                EXPECT_LE(static_cast<double>(e.value), list.pressure_pa) << i;
+            }
+        // The middle of a stretch gives way before either of its ends, which are held.
+        if (i % 6 == 3 && i + 3 < stations) {
+            EXPECT_LE(e.value, opened[i - 2]->value) << i;
+            EXPECT_LE(e.value, opened[i + 4]->value) << i;
+            EXPECT_GE(lists[2].leak_ml_min[i], lists[2].leak_ml_min[i - 3]) << i;
+            EXPECT_GE(lists[2].leak_ml_min[i], lists[2].leak_ml_min[i + 3]) << i;
+        }
+    }
+}
+
+TEST(Watertight, WhatIsHeldShutOpensNowhere) {
+    const auto& scene = pad_scene();
+    State state(*scene, 1);
+    draw_together(*scene, state, 0);
+    int opened = 0, shut = 0;
+    for (const Event& e : watertight_events(*scene, state)) {
+        if (e.kind == EventKind::kSlitPressed) {
+            EXPECT_EQ(e.value, 0);
+        }
+        if (e.kind != EventKind::kSlitOpened) continue;
+        if (e.element < 0) {
+            EXPECT_EQ(e.value2, 0) << "it has not burst";
+            continue;
+        }
+        (e.value2 > 0 ? opened : shut) += 1;
+        EXPECT_NEAR(e.value, 3922.7, 0.1) << "it held to the end";
+    }
+    EXPECT_EQ(opened, 0);
+    EXPECT_EQ(shut, static_cast<int>(scene->slit.stations.size()));
 }
 
 TEST(Watertight, TornWallsAreNeitherTightNorBlownAbout) {

@@ -157,6 +157,10 @@ std::string_view event_name(EventKind kind) noexcept {
             return "undermined";
         case EventKind::kClosingTension:
             return "closing_tension";
+        case EventKind::kSlitPressed:
+            return "slit_pressed";
+        case EventKind::kSlitOpened:
+            return "slit_opened";
     }
     return "unknown";
 }
@@ -185,7 +189,8 @@ bool only_in_recording(EventKind kind) noexcept {
            kind == EventKind::kWatertight || kind == EventKind::kLedgerWritten ||
            kind == EventKind::kPatchEdge || kind == EventKind::kPatchFold ||
            kind == EventKind::kIrrigated || kind == EventKind::kDebrisLeft ||
-           kind == EventKind::kUndermined || kind == EventKind::kClosingTension;
+           kind == EventKind::kUndermined || kind == EventKind::kClosingTension ||
+           kind == EventKind::kSlitPressed || kind == EventKind::kSlitOpened;
 }
 
 }  // namespace placode::sim

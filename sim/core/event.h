@@ -108,7 +108,8 @@ enum class EventKind : uint16_t {
                     ///< element -1, value = number of stations, value2 = depth of the slit [m]
     kWatertight = 87,  ///< after the last frame, a slit under pressure (sim/step/watertight.h):
                        ///< value = leak [m3/s], value2 = pressure [Pa], element = station, -1 = of
-                       ///< all, -2 = the pressure at which it burst, or the highest where it held
+                       ///< all, -2 = the pressure at which it burst, or the highest where it held.
+                       ///< Stations follow each -1, and stand before the -2
     kPatchEdge = 88,   ///< after the last frame, one for each point of the placode's edge: value =
                        ///< how far a patch reaches beyond it [m], at most 10 mm, 0 = not over it,
                        ///< element = point, rest_position = the point. The first has element -1,
@@ -153,6 +154,15 @@ enum class EventKind : uint16_t {
     kClosingTension = 111,  ///< pull of the edges at the midline: value = now, value2 = before
                             ///< anything was done [N/m], element = station of the slit,
                             ///< rest_position = its middle; -1 = of all
+    // More of a slit under pressure (sim/step/watertight.h), after the last frame.
+    kSlitPressed = 112,  ///< one after each kWatertight of a station: value = how far its walls
+                         ///< stand apart under that pressure [m], the least over the depth, value2
+                         ///< = the pressure [Pa], element = station, rest_position = its middle
+    kSlitOpened = 113,   ///< one for each station: value = pressure at which more than a hundredth
+                         ///< of a burst first passed there, or the highest of the test where it
+                         ///< never did [Pa], value2 = 1 opened, 0 not, element = station,
+    ///< rest_position = its middle. The first has element -1, value = number of
+    ///< stations, value2 = 1 where the slit burst, 0 where it held
 };
 /// What a kIrrigated event tells: value, value2.
 enum class IrrigationSum : int32_t {

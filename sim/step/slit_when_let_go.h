@@ -13,9 +13,9 @@ namespace placode::sim {
 struct Scene;
 struct State;
 
-/// kSlitGap half a second after every hand has let go, on a copy of the state, and then kWatertight
-/// where the scene tests it; nothing without a slit. The same for the same state, whatever its
-/// number of threads and substeps. Allocates.
+/// kSlitGap half a second after every hand has let go, on a copy of the state, and then
+/// watertight_events() where the scene tests it; nothing without a slit. The same for the same
+/// state, whatever its number of threads and substeps. Allocates.
 [[nodiscard]] std::vector<Event> slit_when_let_go(const Scene& scene, const State& state);
 
 }  // namespace placode::sim

@@ -52,6 +52,7 @@ SlitPressure::SlitPressure(const Scene& scene, State& state) : scene_(scene), st
     std::sort(vertices_.begin(), vertices_.end());
     load_n_.resize(vertices_.size());
     flow_m3_s_.resize(stations.size());
+    gap_m_.resize(stations.size());
     wall_pa_.resize(stations.size());
 }
 
@@ -71,6 +72,8 @@ void SlitPressure::flow_at(int station, double pressure_pa) noexcept {
                                                   : floor_gap(scene_, state_, s);
         stretch.depth_m[k] = depth_at_rest(scene_, station, level);
     }
+    gap_m_[i] =
+        *std::min_element(stretch.gap_m.begin(), stretch.gap_m.begin() + stretch.layers + 1);
     const SlitFlow flow = flow_through(stretch, pressure_pa);
     flow_m3_s_[i] = flow.flow_m3_s;
     for (size_t k = 0; k < as_index(stretch.layers); ++k)
@@ -115,70 +118,107 @@ void SlitPressure::push(double pressure_pa) noexcept {
 
 namespace {
 
+/// What each station lets through at a pressure, and how far it stands open.
+struct Leaks {
+    double pressure_pa = 0, all_m3_s = 0;
+    std::vector<double> flow_m3_s, gap_m;
+};
+
 /// The pressure rises, stands, rises.
 class PressureTest {
  public:
     PressureTest(const Scene& scene, State& state)
-        : scene_(scene), state_(state), spec_(*scene.slit.watertight), fluid_(scene, state) {}
+        : scene_(scene),
+          state_(state),
+          spec_(*scene.slit.watertight),
+          fluid_(scene, state),
+          opened_pa_(scene.slit.stations.size(), -1) {}
 
     std::vector<Event> run() {
         rise_to(WatertightSpec::kPassPa);
         measure();
         rise_to(WatertightSpec::kGoodPa);
         measure();
-        while (burst_pa_ == 0 && pressure_pa_ < spec_.most_pa) rise();
-        Event last = entry(-2, burst_pa_ > 0 ? burst_flow_m3_s_ : fluid_.flow_m3_s(),
-                           burst_pa_ > 0 ? burst_pa_ : spec_.most_pa);
-        events_.push_back(last);
+        while (!burst() && pressure_pa_ < spec_.most_pa) rise();
+        const Leaks last = burst() ? burst_ : leaks();
+        const double held_pa = burst() ? last.pressure_pa : spec_.most_pa;
+        tell_stations(last, held_pa);
+        tell(EventKind::kWatertight, -2, last.all_m3_s, held_pa);
+        tell_opened();
         return std::move(events_);
     }
 
  private:
-    void frame() noexcept {
+    [[nodiscard]] bool burst() const noexcept { return burst_.pressure_pa > 0; }
+    [[nodiscard]] Leaks leaks() const {
+        const auto flows = fluid_.flows(), gaps = fluid_.gaps();
+        return {pressure_pa_,
+                fluid_.flow_m3_s(),
+                {flows.begin(), flows.end()},
+                {gaps.begin(), gaps.end()}};
+    }
+    void push() noexcept {
         fluid_.push(pressure_pa_);
-        if (burst_pa_ == 0 && fluid_.flow_m3_s() > spec_.burst_m3_s) {
-            burst_pa_ = pressure_pa_;
-            burst_flow_m3_s_ = fluid_.flow_m3_s();
-        }
+        for (size_t i = 0; i < opened_pa_.size(); ++i)
+            if (opened_pa_[i] < 0 && fluid_.flows()[i] > kOpenShare * spec_.burst_m3_s)
+                opened_pa_[i] = pressure_pa_;
+    }
+    void frame() {
+        push();
+        if (!burst() && fluid_.flow_m3_s() > spec_.burst_m3_s) burst_ = leaks();
         const size_t tools = scene_.tools.size();
         (void)step(scene_, state_, {nobody_.data(), tools}, {feedback_.data(), tools});
     }
-    void rise() noexcept {
+    void rise() {
         pressure_pa_ =
             std::min(pressure_pa_ + kRisePaS * scene_.body.spec().solver.frame_s, spec_.most_pa);
         frame();
     }
-    void rise_to(double pressure_pa) noexcept {
+    void rise_to(double pressure_pa) {
         while (pressure_pa_ < pressure_pa) rise();
         const double frames = kHoldS / scene_.body.spec().solver.frame_s;
         for (int i = 0; i < frames; ++i) frame();
     }
     /// At the present pressure, as a whole and station by station.
     void measure() {
-        fluid_.push(pressure_pa_);
-        events_.push_back(entry(-1, fluid_.flow_m3_s(), pressure_pa_));
-        for (size_t i = 0; i < fluid_.flows().size(); ++i) {
-            Event event = entry(static_cast<int32_t>(i), fluid_.flows()[i], pressure_pa_);
-            set_rest_position(event, middle_at_rest(scene_, event.element));
-            events_.push_back(event);
+        push();
+        const Leaks now = leaks();
+        tell(EventKind::kWatertight, -1, now.all_m3_s, pressure_pa_);
+        tell_stations(now, pressure_pa_);
+    }
+    void tell_stations(const Leaks& at, double pressure_pa) {
+        for (size_t i = 0; i < at.flow_m3_s.size(); ++i) {
+            tell(EventKind::kWatertight, static_cast<int32_t>(i), at.flow_m3_s[i], pressure_pa);
+            tell(EventKind::kSlitPressed, static_cast<int32_t>(i), at.gap_m[i], pressure_pa);
         }
     }
-    [[nodiscard]] static Event entry(int32_t element, double flow_m3_s, double pressure_pa) {
+    void tell_opened() {
+        tell(EventKind::kSlitOpened, -1, static_cast<double>(opened_pa_.size()), burst() ? 1 : 0);
+        for (size_t i = 0; i < opened_pa_.size(); ++i) {
+            const bool opened = opened_pa_[i] >= 0;
+            tell(EventKind::kSlitOpened, static_cast<int32_t>(i),
+                 opened ? opened_pa_[i] : pressure_pa_, opened ? 1 : 0);
+        }
+    }
+    void tell(EventKind kind, int32_t element, double value, double value2) {
         Event event;
-        event.kind = EventKind::kWatertight;
+        event.kind = kind;
         event.element = element;
-        event.value = static_cast<float>(flow_m3_s);
-        event.value2 = static_cast<float>(pressure_pa);
-        return event;
+        event.value = static_cast<float>(value);
+        event.value2 = static_cast<float>(value2);
+        if (element >= 0) set_rest_position(event, middle_at_rest(scene_, element));
+        events_.push_back(event);
     }
 
     const Scene& scene_;
     State& state_;
     const WatertightSpec& spec_;
     SlitPressure fluid_;
+    std::vector<double> opened_pa_;  // of each station; -1 = not yet
     std::array<ToolInput, kMaxTools> nobody_{};
     std::array<ToolFeedback, kMaxTools> feedback_{};
-    double pressure_pa_ = 0, burst_pa_ = 0, burst_flow_m3_s_ = 0;
+    double pressure_pa_ = 0;
+    Leaks burst_;  // no pressure = it has not burst
     std::vector<Event> events_;
 };
 

@@ -29,6 +29,9 @@ class SlitPressure {
     [[nodiscard]] double flow_m3_s() const noexcept;
     /// Of each station [m3/s].
     [[nodiscard]] std::span<const double> flows() const noexcept { return flow_m3_s_; }
+    /// Of each station how far its walls stood apart when it was pushed [m], the least over the
+    /// depth.
+    [[nodiscard]] std::span<const double> gaps() const noexcept { return gap_m_; }
 
  private:
     void flow_at(int station, double pressure_pa) noexcept;
@@ -36,14 +39,19 @@ class SlitPressure {
 
     const Scene& scene_;
     State& state_;
-    std::vector<double> length_m_, flow_m3_s_;  // of each station
+    std::vector<double> length_m_, flow_m3_s_, gap_m_;  // of each station
     /// Of each station, between a level and the next.
     std::vector<std::array<double, Slit::kMostLevels>> wall_pa_;
     std::vector<int32_t> vertices_;  // that bear loads, rising
     std::vector<Vec3> load_n_;
 };
 
-/// kWatertight: the leak at kPassPa and at kGoodPa, and the pressure that the slit held. Spoils
+/// A station is open once it lets more than this share of a burst through: 0.1 ml/min where a burst
+/// is 10. Planning value: a drop every half minute.
+inline constexpr double kOpenShare = 0.01;
+
+/// kWatertight: the leak at kPassPa and at kGoodPa, the pressure that the slit held, and what each
+/// station leaks at each of them; with it kSlitPressed, and kSlitOpened of each station. Spoils
 /// this state, in which no hand touches the tissue. Nothing for a scene without such a test. The
 /// same on every number of threads. Allocates.
 [[nodiscard]] std::vector<Event> watertight_events(const Scene& scene, State& state);
