@@ -5,13 +5,12 @@
 #include <cmath>
 #include <vector>
 
+#include "assessment/leak_map.h"
 #include "assessment/loci.h"
 #include "sim/contact/slit_flow.h"
 
 namespace placode::assessment {
 namespace {
-
-constexpr double kMlMinPerM3S = 6e7, kPaPerCmH2O = 98.0665;
 
 double apart_m(const sim::Event& a, const sim::Event& b) {
     return (rest_place(a) - rest_place(b)).norm();
@@ -30,6 +29,19 @@ double whole_leak_m3_s(const std::vector<const sim::Event*>& stations, double de
             {length_m, static_cast<double>(here.value2), static_cast<double>(here.value), depth_m});
     }
     return sum;
+}
+
+/// Where it leaks and where it burst.
+void add_places(const sim::Recording& recording, std::vector<Metric>& out) {
+    const std::optional<LeakMap> map = leak_map(recording);
+    if (!map) return;
+    if (const std::optional<LeakPlace> worst = worst_leak(*map, LeakStage::kGood)) {
+        out.push_back({"slit_leak_worst_mm", 1e3 * worst->along_m});
+        out.push_back({"slit_leak_worst_stretch", static_cast<double>(worst->stretch)});
+    }
+    if (!map->burst) return;
+    if (const std::optional<LeakPlace> worst = worst_leak(*map, LeakStage::kLast))
+        out.push_back({"slit_burst_mm", 1e3 * worst->along_m});
 }
 
 }  // namespace
@@ -97,6 +109,7 @@ void add_closure_metrics(const sim::Recording& recording, std::vector<Metric>& o
         out.push_back({"slit_leak_12_ml_min", kMlMinPerM3S * test->good_m3_s});
         // Rounded down: an open slit holds nothing, and not a hundredth.
         out.push_back({"slit_burst_cmh2o", std::floor(10 * test->held_pa / kPaPerCmH2O) / 10});
+        add_places(recording, out);
     } else if (depth_m > 0)
         out.push_back({"slit_leak_ml_min", kMlMinPerM3S * whole_leak_m3_s(stations, depth_m)});
 }

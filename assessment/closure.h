@@ -40,8 +40,9 @@ struct Watertight {
 /// Absent where it was not tested, or the test was not finished.
 [[nodiscard]] std::optional<Watertight> watertight_of(const sim::Recording& recording);
 
-/// Share that is shut, mean and widest gap, leaks, pressure that it held; nothing where there was
-/// no slit. The leak between rigid walls only where it was not tested and its depth was recorded.
+/// Share that is shut, mean and widest gap, leaks, pressure that it held, where it leaks most and
+/// where it burst; nothing where there was no slit. The leak between rigid walls only where it was
+/// not tested and its depth was recorded.
 void add_closure_metrics(const sim::Recording& recording, std::vector<Metric>& out);
 
 }  // namespace placode::assessment

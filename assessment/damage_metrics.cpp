@@ -102,6 +102,8 @@ std::vector<std::string_view> not_recorded(const sim::Recording& recording) {
     if (!recording.header.geometry.planned_contour.empty() &&
         !has(recording, sim::EventKind::kRingGap))
         missing.insert(missing.end(), {"largest_gap_mm", "gap_count"});
+    if (has(recording, sim::EventKind::kWatertight) && !has(recording, sim::EventKind::kSlitOpened))
+        missing.push_back("slit_burst_mm");
     if (!has(recording, sim::EventKind::kStretchSum)) missing.push_back(kVolumeTime);
     if (cuts_by_heat(recording.header) && !has(recording, sim::EventKind::kThermalSpread)) {
         missing.insert(missing.end(), kDamageIds.begin(), kDamageIds.end());

@@ -8,6 +8,7 @@
 
 #include "assessment/bites.h"
 #include "assessment/closure.h"
+#include "assessment/leak_map.h"
 #include "assessment/loci_line.h"
 #include "assessment/motion_metrics.h"
 #include "assessment/patch_metrics.h"
@@ -253,21 +254,43 @@ std::optional<Locus> locate_suture(std::string_view metric, const sim::Recording
             return e.kind == EventKind::kNeedleTaken && !std::exchange(first, false);
         });
     }
-    if (metric.substr(0, 5) == "slit_") {
-        const bool pressed = metric == "slit_leak_6_ml_min" || metric == "slit_leak_12_ml_min" ||
-                             metric == "slit_burst_cmh2o";
-        const Event* worst = widest_gap(recording);
-        if (pressed) {
-            const std::optional<Watertight> test = watertight_of(recording);
-            worst = test ? test->worst : nullptr;
-        }
-        if (worst == nullptr) return std::nullopt;
-        Locus locus;
-        locus.count = 1;
-        locus.at_m = rest_place(*worst).head<2>();
-        return locus;
-    }
     return std::nullopt;
+}
+
+/// Where a slit leaks: at the pressure that the metric speaks of, and where it burst. Of a test in
+/// which nobody looked at that the station that leaks most at the lower pressure.
+std::optional<Locus> locate_leak(std::string_view metric, const sim::Recording& recording) {
+    const std::optional<Watertight> test = watertight_of(recording);
+    if (!test) return std::nullopt;
+    Locus locus;
+    locus.count = 1;
+    if (const std::optional<LeakMap> map = leak_map(recording)) {
+        const bool burst = metric.substr(0, 10) == "slit_burst";
+        const LeakStage stage = burst && map->burst                       ? LeakStage::kLast
+                                : burst || metric == "slit_leak_6_ml_min" ? LeakStage::kPass
+                                                                          : LeakStage::kGood;
+        if (const std::optional<LeakPlace> place = worst_leak(*map, stage)) {
+            locus.at_m = place->at_m;
+            locus.between = place->between;
+            return locus;
+        }
+    }
+    if (test->worst == nullptr) return std::nullopt;
+    locus.at_m = rest_place(*test->worst).head<2>();
+    return locus;
+}
+
+std::optional<Locus> locate_slit(std::string_view metric, const sim::Recording& recording) {
+    if (metric.substr(0, 5) != "slit_") return std::nullopt;
+    if (metric.substr(0, 10) == "slit_burst" ||
+        (metric.substr(0, 10) == "slit_leak_" && metric != "slit_leak_ml_min"))
+        return locate_leak(metric, recording);
+    const Event* widest = widest_gap(recording);
+    if (widest == nullptr) return std::nullopt;
+    Locus locus;
+    locus.count = 1;
+    locus.at_m = rest_place(*widest).head<2>();
+    return locus;
 }
 
 /// Where a patch reaches least beyond the placode's edge, where it is folded, where it was taken
@@ -372,6 +395,7 @@ Locus locate(std::string_view metric, double threshold, const sim::Recording& re
     if (const auto found = locate_tissue(metric, recording)) return *found;
     if (const auto found = locate_touch(metric, recording)) return *found;
     if (const auto found = locate_suture(metric, recording)) return *found;
+    if (const auto found = locate_slit(metric, recording)) return *found;
     if (const auto found = locate_bite(metric, recording)) return *found;
     if (const auto found = locate_patch(metric, recording)) return *found;
     if (const auto found = locate_wash(metric, recording)) return *found;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "assessment/metrics.h"
+#include "assessment/reason.h"
 #include "sim/core/geometry.h"
 
 namespace placode::assessment {
@@ -15,6 +16,7 @@ struct Locus {
     std::optional<sim::Vec2> at_m;  ///< At rest.
     double time_s = -1;             ///< -1 = the whole attempt.
     int count = 0;                  ///< Events behind it.
+    BetweenBites between;           ///< Of what a slit leaks: which bites lie beside the place.
 };
 
 /// Of an event on the tissue, at rest [m].

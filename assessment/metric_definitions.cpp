@@ -347,6 +347,19 @@ constexpr MetricDefinition kMetrics[] = {
      "Pressure below the slit at which more than 10 ml/min pass it, rounded down to 0.1; the test "
      "ends at 40 cmH2O.",
      "Placode"},
+    {"slit_leak_worst_mm", "Place of the worst leak", "mm", kNeutral,
+     "Where the slit leaks most at 12.5 cmH2O, from its left end, or its upper one where it runs "
+     "up "
+     "and down: the worst place of the stretch between two bites that lets most through.",
+     "Placode"},
+    {"slit_leak_worst_stretch", "Bites before the worst leak", "", kNeutral,
+     "How many finished bites lie between that end of the slit and the stretch that leaks most at "
+     "12.5 cmH2O: 0 before the first bite, 1 between the first and the second, and so on.",
+     "Placode"},
+    {"slit_burst_mm", "Place of the burst", "mm", kNeutral,
+     "Where most passes at the pressure at which the slit bursts, from its left end, or its upper "
+     "one where it runs up and down; nothing where it holds to the end of the test.",
+     "Placode"},
     {"patch_overlap_percent", "Edge overlapped by the patch", "%", kHigherIsBetter,
      "Share of the placode's edge beyond which the patch reaches 5 mm or more, hands off.",
      "Placode"},

@@ -5,18 +5,30 @@
 // language.
 
 #include <string>
+#include <utility>
 
 namespace placode::assessment {
+
+/// Where along a slit: between which bites of its row.
+struct BetweenBites {
+    /// Numbers of the bites from 1, as one goes from the slit's left or upper end to the other one;
+    /// 0 = that end. No bite at all says nothing.
+    int before = 0, after = 0;
+    bool upright = false;  ///< The ends are an upper and a lower one, else a left and a right one.
+    [[nodiscard]] bool any() const noexcept { return before > 0 || after > 0; }
+    bool operator==(const BetweenBites&) const = default;
+};
 
 /// A sentence with places, and what stands in them. Places: {value}, {unit}, {points}, {count},
 /// {times}, {where}, {metric}.
 struct ReasonMeaning {
-    std::string pattern;     ///< English; empty in scores that an older program wrote.
-    std::string pattern_pl;  ///< The wording of the rubric; empty where it has none.
-    std::string metric;      ///< Metric id: {metric} is its name, {unit} its unit.
-    double value = 0;        ///< Of the metric.
-    int count = 0;           ///< How often it happened.
-    int hour = 0;            ///< Position on the clock face, 1 to 12; 0 = nowhere in particular.
+    std::string pattern;        ///< English; empty in scores that an older program wrote.
+    std::string pattern_pl;     ///< The wording of the rubric; empty where it has none.
+    std::string metric;         ///< Metric id: {metric} is its name, {unit} its unit.
+    double value = 0;           ///< Of the metric.
+    int count = 0;              ///< How often it happened.
+    int hour = 0;               ///< Position on the clock face, 1 to 12; 0 = nowhere in particular.
+    BetweenBites between = {};  ///< Says more than the hour where it says anything.
     bool operator==(const ReasonMeaning&) const = default;
 };
 
@@ -36,6 +48,12 @@ struct ReasonWords {
 };
 /// A place that the sentence does not have is left out; a blank before an empty {where} goes, too.
 [[nodiscard]] std::string fill_places(std::string pattern, const ReasonWords& words);
+
+/// " between bites 2 and 3", " between the left end and bite 1": with %1 and %2 where numbers of
+/// bites stand, the lower first. Empty where `between` says nothing.
+[[nodiscard]] const char* between_pattern(const BetweenBites& between) noexcept;
+/// The numbers that stand in it; the second is 0 where it has one place.
+[[nodiscard]] std::pair<int, int> between_numbers(const BetweenBites& between) noexcept;
 
 /// At most one decimal, none where it says nothing, two below 1; '.' in every locale. Beyond a
 /// million in the short form: "1e+300".

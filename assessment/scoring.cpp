@@ -92,8 +92,9 @@ std::vector<Reason> judge_lines(const Sight& sight, bool& proven) {
         const Locus locus = locate(item.metric, item.threshold, sight.recording);
         const int hour = locus.at_m ? clock_hour(locus.at_m->x(), locus.at_m->y()) : 0;
         reasons.push_back(make_reason(
-            item.id, {item.reason, item.reason_pl, item.metric, *value, locus.count, hour}, lost,
-            locus.time_s, item.critical));
+            item.id,
+            {item.reason, item.reason_pl, item.metric, *value, locus.count, hour, locus.between},
+            lost, locus.time_s, item.critical));
     }
     return reasons;
 }

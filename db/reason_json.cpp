@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/reason_json.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <charconv>
 #include <system_error>
 
@@ -34,11 +36,15 @@ std::string reason_json(const assessment::ReasonMeaning& meaning) {
     if (meaning.pattern.empty()) return {};
     QJsonObject pattern{{"en", qstring(meaning.pattern)}};
     if (!meaning.pattern_pl.empty()) pattern["pl"] = qstring(meaning.pattern_pl);
-    const QJsonObject json{{"pattern", pattern},
-                           {"metric", qstring(meaning.metric)},
-                           {"value", qstring(sim::shortest_text(meaning.value))},
-                           {"count", meaning.count},
-                           {"hour", meaning.hour}};
+    QJsonObject json{{"pattern", pattern},
+                     {"metric", qstring(meaning.metric)},
+                     {"value", qstring(sim::shortest_text(meaning.value))},
+                     {"count", meaning.count},
+                     {"hour", meaning.hour}};
+    if (meaning.between.any()) {
+        json["between"] = QJsonArray{meaning.between.before, meaning.between.after};
+        if (meaning.between.upright) json["upright"] = true;
+    }
     return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
 }
 
@@ -56,6 +62,9 @@ assessment::ReasonMeaning reason_from_json(const std::string& text) {
     meaning.value = number(json["value"].toString().toStdString());
     meaning.count = json["count"].toInt();
     meaning.hour = json["hour"].toInt();
+    const QJsonArray between = json["between"].toArray();
+    meaning.between = {std::max(0, between.at(0).toInt()), std::max(0, between.at(1).toInt()),
+                       json["upright"].toBool()};
     return meaning;
 }
 

@@ -10,7 +10,8 @@
 namespace placode::db {
 
 /// {"pattern":{"en":...,"pl":...},"metric":...,"value":"12.5","count":3,"hour":4}. The value is
-/// text, so that what is not finite is kept, and every bit of what is.
+/// text, so that what is not finite is kept, and every bit of what is. Of a slit also
+/// "between":[2,3], which older programs leave aside, and "upright":true where its ends are.
 [[nodiscard]] std::string reason_json(const assessment::ReasonMeaning& meaning);
 /// Throws StoreError(kDamaged) for what is no such text; "" is a reason of an older program.
 [[nodiscard]] assessment::ReasonMeaning reason_from_json(const std::string& json);

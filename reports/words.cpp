@@ -151,6 +151,13 @@ QString said_words(const db::Said& said) {
 
 QString figure_word(const char* english) { return translated("Figure", english); }
 
+QString between_words(const assessment::BetweenBites& between) {
+    if (!between.any()) return {};
+    const auto [first, second] = assessment::between_numbers(between);
+    const QString words = translated("Reason", assessment::between_pattern(between)).arg(first);
+    return second > 0 ? words.arg(second) : words;
+}
+
 QString reason_words(const assessment::Reason& reason) {
     const assessment::ReasonMeaning& meaning = reason.meaning;
     std::string said = reason.text;
@@ -162,6 +169,7 @@ QString reason_words(const assessment::Reason& reason) {
         words.times = times_words(meaning.count).toStdString();
         if (meaning.hour > 0)
             words.where = translated("Reason", " at %1 o'clock").arg(meaning.hour).toStdString();
+        if (meaning.between.any()) words.where = between_words(meaning.between).toStdString();
         // An id that no metric has is no word to translate: it stays.
         words.metric = translated("Metric", words.metric.c_str()).toStdString();
         said = assessment::fill_places(

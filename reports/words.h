@@ -48,6 +48,9 @@ class Speaking {
 /// scored again it has its meaning, too.
 [[nodiscard]] QString reason_words(const assessment::Reason& reason);
 
+/// " between bites 2 and 3"; empty where `between` says nothing.
+[[nodiscard]] QString between_words(const assessment::BetweenBites& between);
+
 /// Why an attempt is void, from what the store keeps (db/void_reason.h), in the program's language.
 [[nodiscard]] QString void_words(const std::string& text, const std::string& meaning = {});
 

@@ -354,17 +354,37 @@ class AttemptMaker {
     /// A slit of 20 stations, shut from one end on.
     static void shut(sim::Recording& recording, double share) {
         constexpr int kStations = 20;
+        const int closed = static_cast<int>(share * kStations + 1e-9);
         for (int i = 0; i < kStations; ++i) {
-            const double gap_m = i < static_cast<int>(share * kStations + 1e-9) ? 0 : 0.00095;
+            const double gap_m = i < closed ? 0 : 0.00095;
             put(recording, EventKind::kSlitGap, 30, gap_m, gap_m, kRowX, 0.0005 * i).element = i;
         }
         // Under pressure: open anywhere it bursts at once.
         const bool tight = share > 1 - 0.5 / kStations;
+        const double held_pa = tight ? 3922.7 : 1;
+        const auto under = [&](double all_m3_s, double pa, int whole) {
+            if (whole == -1)
+                put(recording, EventKind::kWatertight, 30, all_m3_s, pa).element = whole;
+            for (int i = 0; i < kStations; ++i) {
+                const bool open = i >= closed && !tight;
+                const double leak_m3_s = open ? all_m3_s / (kStations - closed) : 0;
+                put(recording, EventKind::kWatertight, 30, leak_m3_s, pa, kRowX, 0.0005 * i)
+                    .element = i;
+                put(recording, EventKind::kSlitPressed, 30, open ? 0.001 : 0, pa, kRowX, 0.0005 * i)
+                    .element = i;
+            }
+            if (whole == -2)
+                put(recording, EventKind::kWatertight, 30, all_m3_s, pa).element = whole;
+        };
         for (const double pa : {sim::WatertightSpec::kPassPa, sim::WatertightSpec::kGoodPa})
-            put(recording, EventKind::kWatertight, 30, tight ? 0 : 5e-6 * (1 - share), pa).element =
-                -1;
-        put(recording, EventKind::kWatertight, 30, tight ? 0 : 2e-7, tight ? 3922.7 : 1).element =
-            -2;
+            under(tight ? 0 : 5e-6 * (1 - share), pa, -1);
+        under(tight ? 0 : 2e-7, held_pa, -2);
+        put(recording, EventKind::kSlitOpened, 30, kStations, tight ? 0 : 1).element = -1;
+        for (int i = 0; i < kStations; ++i) {
+            const bool open = i >= closed && !tight;
+            put(recording, EventKind::kSlitOpened, 30, held_pa, open ? 1 : 0, kRowX, 0.0005 * i)
+                .element = i;
+        }
     }
 
     /// An event anywhere on the lesion and at any time.

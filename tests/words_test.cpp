@@ -27,6 +27,7 @@ class Mirror : public QTranslator {
         if (english == "once") return "raz";
         if (english == "%1 times") return "%1 razy";
         if (english == " at %1 o'clock") return " na godzinie %1";
+        if (english == " between bites %1 and %2") return " między ściegami %1 i %2";
         return "PL " + english;
     }
 };
@@ -95,6 +96,15 @@ TEST(Words, AnEducatorsOwnWordingIsSaidInItsOwnLanguage) {
     QLocale::setDefault(QLocale(QLocale::Polish));
     EXPECT_EQ(reason_words(reason), QString("Moje własne słowa, 12,2 s."));
     QLocale::setDefault(before);
+}
+
+TEST_F(WordsTest, APlaceAlongASlitIsSaidInTheLanguage) {
+    assessment::Reason reason = reason_of("It opened{where}.", 0, 1, 11);
+    reason.meaning.between = {3, 2, false};
+    EXPECT_EQ(reason_words(reason), QString("PL It opened między ściegami 2 i 3."));
+    EXPECT_EQ(between_words({0, 1, true}), QString("PL  between the upper end and bite 1"));
+    EXPECT_EQ(between_words({3, 0, false}), QString("PL  between bite 3 and the right end"));
+    EXPECT_EQ(between_words({}), QString());
 }
 
 TEST(Words, EveryScoreKeepsWhatItsReasonsMean) {

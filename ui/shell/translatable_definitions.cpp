@@ -272,6 +272,19 @@ namespace {
         "test ends at 40 cmH2O."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
+        "Where the slit leaks most at 12.5 cmH2O, from its left end, or its upper one where it "
+        "runs up and down: the worst place of the stretch between two bites that lets most "
+        "through."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "How many finished bites lie between that end of the slit and the stretch that leaks most "
+        "at 12.5 cmH2O: 0 before the first bite, 1 between the first and the second, and so on."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Where most passes at the pressure at which the slit bursts, from its left end, or its "
+        "upper one where it runs up and down; nothing where it holds to the end of the test."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
         "Bites of a row that came out and through which all of the needle was drawn."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",

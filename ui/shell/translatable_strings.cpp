@@ -109,6 +109,9 @@ namespace {
     QT_TRANSLATE_NOOP("Metric", "Leak of the slit at 6 cmH2O"),
     QT_TRANSLATE_NOOP("Metric", "Leak of the slit at 12.5 cmH2O"),
     QT_TRANSLATE_NOOP("Metric", "Burst pressure of the slit"),
+    QT_TRANSLATE_NOOP("Metric", "Place of the worst leak"),
+    QT_TRANSLATE_NOOP("Metric", "Bites before the worst leak"),
+    QT_TRANSLATE_NOOP("Metric", "Place of the burst"),
     QT_TRANSLATE_NOOP("Metric", "Entry beside its mark, worst bite"),
     QT_TRANSLATE_NOOP("Metric", "Exit beside its mark, worst bite"),
     QT_TRANSLATE_NOOP("Metric", "Shallowest bite"),
@@ -386,6 +389,11 @@ namespace {
     QT_TRANSLATE_NOOP("Reason", "twice"),
     QT_TRANSLATE_NOOP("Reason", "%1 times"),
     QT_TRANSLATE_NOOP("Reason", " at %1 o'clock"),
+    QT_TRANSLATE_NOOP("Reason", " between bites %1 and %2"),
+    QT_TRANSLATE_NOOP("Reason", " between the left end and bite %1"),
+    QT_TRANSLATE_NOOP("Reason", " between the upper end and bite %1"),
+    QT_TRANSLATE_NOOP("Reason", " between bite %1 and the right end"),
+    QT_TRANSLATE_NOOP("Reason", " between bite %1 and the lower end"),
 };
 
 [[maybe_unused]] const char* const kThemes[] = {

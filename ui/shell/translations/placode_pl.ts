@@ -2726,6 +2726,18 @@
         <translation>Ciśnienie, przy którym szew puszcza</translation>
     </message>
     <message>
+        <source>Place of the worst leak</source>
+        <translation>Miejsce największego przecieku</translation>
+    </message>
+    <message>
+        <source>Bites before the worst leak</source>
+        <translation>Ściegi przed największym przeciekiem</translation>
+    </message>
+    <message>
+        <source>Place of the burst</source>
+        <translation>Miejsce, w którym szew puścił</translation>
+    </message>
+    <message>
         <source>Entry beside its mark, worst bite</source>
         <translation>Wkłucie obok znaku, najgorszy ścieg</translation>
     </message>
@@ -3784,6 +3796,18 @@
         <translation>Ciśnienie pod rozcięciem, przy którym przepływa ponad 10 ml/min, zaokrąglone w dół do 0,1; próba kończy się na 40 cmH2O.</translation>
     </message>
     <message>
+        <source>Where the slit leaks most at 12.5 cmH2O, from its left end, or its upper one where it runs up and down: the worst place of the stretch between two bites that lets most through.</source>
+        <translation>Gdzie rozcięcie najbardziej przecieka przy 12,5 cmH2O, licząc od lewego końca, a od górnego, gdy biegnie z góry na dół: najgorsze miejsce tego odcinka między ściegami, który przepuszcza najwięcej.</translation>
+    </message>
+    <message>
+        <source>How many finished bites lie between that end of the slit and the stretch that leaks most at 12.5 cmH2O: 0 before the first bite, 1 between the first and the second, and so on.</source>
+        <translation>Ile ukończonych ściegów leży między tym końcem rozcięcia a odcinkiem, który najbardziej przecieka przy 12,5 cmH2O: 0 przed pierwszym ściegiem, 1 między pierwszym a drugim i tak dalej.</translation>
+    </message>
+    <message>
+        <source>Where most passes at the pressure at which the slit bursts, from its left end, or its upper one where it runs up and down; nothing where it holds to the end of the test.</source>
+        <translation>Gdzie najwięcej przepływa przy ciśnieniu, przy którym szew puszcza, licząc od lewego końca, a od górnego, gdy rozcięcie biegnie z góry na dół; brak wartości, gdy szew wytrzymał do końca próby.</translation>
+    </message>
+    <message>
         <source>Largest distance of an entry from its mark, over the bites of a row that are done.</source>
         <translation>Największa odległość wkłucia od znaku wśród ukończonych ściegów szwu.</translation>
     </message>
@@ -4746,6 +4770,26 @@
     <message>
         <source> at %1 o'clock</source>
         <translation> na godzinie %1</translation>
+    </message>
+    <message>
+        <source> between bites %1 and %2</source>
+        <translation> między ściegami %1 i %2</translation>
+    </message>
+    <message>
+        <source> between the left end and bite %1</source>
+        <translation> między lewym końcem a ściegiem %1</translation>
+    </message>
+    <message>
+        <source> between the upper end and bite %1</source>
+        <translation> między górnym końcem a ściegiem %1</translation>
+    </message>
+    <message>
+        <source> between bite %1 and the right end</source>
+        <translation> między ściegiem %1 a prawym końcem</translation>
+    </message>
+    <message>
+        <source> between bite %1 and the lower end</source>
+        <translation> między ściegiem %1 a dolnym końcem</translation>
     </message>
     <message>
         <source>Not recorded, so this is no pass: {metric}.</source>
