@@ -10,6 +10,7 @@
 #include "db/attempt_counting.h"
 #include "db/course_conduct.h"
 #include "db/private_file.h"
+#include "reports/leak_figure.h"
 #include "reports/metric_groups.h"
 #include "reports/pdf_report_text.h"
 #include "reports/report.h"
@@ -55,6 +56,22 @@ void add_metrics(Sheets& sheets, const ReportSubject& subject) {
                            "faster than 20 mm/s.</p>"));
 }
 
+/// Where a sewn slit leaks; of a task that looks at it at least why there is no map.
+void add_leak(Sheets& sheets, const ReportSubject& subject, const ChartStyle& style) {
+    const std::optional<assessment::LeakMap> map = assessment::leak_map(subject.recording);
+    if (!map && !looks_at_leak(subject.scope.scored)) return;
+    const double height = map ? leak_height(style) : 0;
+    sheets.need(height + 60);
+    sheets.html(QStringLiteral("<h3>%1</h3>").arg(figure_word("Where it leaks")));
+    sheets.space(4);
+    if (map)
+        sheets.picture(height + 6, [&](QPainter& painter, double y) {
+            draw_leak(painter, QRectF(kSheetMargin, y, kSheetInner, height), *map, style);
+        });
+    sheets.html(QStringLiteral("<p>%1</p>")
+                    .arg((map ? leak_words(*map) : no_leak_map_words()).toHtmlEscaped()));
+}
+
 /// What was harmed when and where, and the paths of the instruments.
 void add_pictures(Sheets& sheets, const ReportSubject& subject, const ChartStyle& style) {
     const sim::Recording& recording = subject.recording;
@@ -69,6 +86,7 @@ void add_pictures(Sheets& sheets, const ReportSubject& subject, const ChartStyle
         draw_ledger(painter, QRectF(kSheetMargin, y, kSheetInner, ledger_height(style)), picture,
                     style);
     });
+    add_leak(sheets, subject, style);
     const double half = (kSheetInner - 16) / 2, map = 330;
     const bool energy = subject.scope.energy;
     heading(energy ? "Damage and energy on the anatomy" : "Damage on the anatomy", map);

@@ -21,6 +21,7 @@ class ShellScopeTest : public QObject {
     void cleanupTestCase() { shell_.reset(); }
     void theResultOfATouchingTaskDoesNotSpeakOfCutting();
     void theResultOfARingStillDoes();
+    void theResultOfASlitSaysWhereItLeaks();
     void theComparisonShowsWhatBelongsToTheTask();
     void whatWasLeftHasNoPointsInTheComparison();
     void aComparisonLeftWhileItReadsIsNoTrouble();
@@ -32,7 +33,7 @@ class ShellScopeTest : public QObject {
     [[nodiscard]] QString names(const char* table) const;
 
     std::unique_ptr<ShellHarness> shell_;
-    int64_t done_ = 0, better_ = 0, left_ = 0, ring_ = 0;
+    int64_t done_ = 0, better_ = 0, left_ = 0, ring_ = 0, slit_ = 0;
     int seed_ = 0;
 };
 
@@ -79,7 +80,8 @@ void ShellScopeTest::initTestCase() {
     better_ = attempt("touch_targets", sim::EndReason::kFinished, 84, "2026-03-02T10:00:00Z");
     left_ = attempt("touch_targets", sim::EndReason::kInterrupted, 0, "2026-03-03T10:00:00Z");
     ring_ = attempt("diathermy_ring_small", sim::EndReason::kFinished, 75, "2026-03-04T10:00:00Z");
-    QVERIFY(done_ > 0 && better_ > 0 && left_ > 0 && ring_ > 0);
+    slit_ = attempt("suture_slit", sim::EndReason::kFinished, 5, "2026-03-05T10:00:00Z");
+    QVERIFY(done_ > 0 && better_ > 0 && left_ > 0 && ring_ > 0 && slit_ > 0);
     QVERIFY(shell_->signIn("demo.trainee", "placode-demo"));
 }
 
@@ -110,6 +112,8 @@ void ShellScopeTest::theResultOfARingStillDoes() {
     QVERIFY(QTest::qWaitFor([&] { return shell.find<QWidget>("incision") != nullptr; }, 60000));
     QVERIFY(shell.find<QWidget>("energy_map") != nullptr);
     QVERIFY(shell.find<QWidget>("asked_map") == nullptr);
+    QVERIFY(shell.find<QWidget>("leak_map") == nullptr);
+    QVERIFY(shell.find<QWidget>("leak_words") == nullptr);
     QVERIFY(names("metrics").contains("Ring completeness"));
     // Whose limit it is that was not passed stands with the measure.
     auto* table = shell.find<QTableWidget>("metrics");
@@ -118,6 +122,27 @@ void ShellScopeTest::theResultOfARingStillDoes() {
         if (table->item(row, 0)->text() == "Force above the scene's limit")
             limit = table->item(row, 0)->toolTip();
     QVERIFY2(limit.contains("The limit of this scene: 400 mN."), qPrintable(limit));
+}
+
+void ShellScopeTest::theResultOfASlitSaysWhereItLeaks() {
+    ShellHarness& shell = *shell_;
+    for (const auto& [language, pressure] :
+         {std::pair("en", "12.5 cmH2O"), std::pair("pl", "12,5 cmH2O")}) {
+        shell.context().setLanguage(language);
+        shell.window().open({PageId::kResult, slit_, {}, {}});
+        QVERIFY(shell.arrives(PageId::kResult));
+        QVERIFY(QTest::qWaitFor([&] { return shell.find<QWidget>("leak_map") != nullptr; }, 60000));
+        auto* map = shell.find<QWidget>("leak_map");
+        // Who cannot see the picture gets the sentence that stands below it.
+        QCOMPARE(map->accessibleDescription(), shell.text("leak_words"));
+        QVERIFY2(shell.text("leak_words").contains(pressure), qPrintable(shell.text("leak_words")));
+        QCOMPARE(map->accessibleName(),
+                 language == std::string("en") ? QString("Where it leaks") : "Gdzie przecieka");
+        shell.whole(QString("100_result_suture_slit_%1").arg(language));
+        shell.window().open({PageId::kAccount, 0, {}, {}});
+        QVERIFY(shell.arrives(PageId::kAccount));
+    }
+    shell.context().setLanguage("en");
 }
 
 void ShellScopeTest::theComparisonShowsWhatBelongsToTheTask() {

@@ -38,6 +38,9 @@ struct ResultData {
 /// Damage ledger on a time line with the chosen entry in words.
 [[nodiscard]] QWidget* make_ledger_card(AppContext& context, const ResultData& data,
                                         const sim::Recording& recording, const ShowMoment& show);
+/// Where a sewn slit leaks, as a picture and in words; nullptr for a task that has none.
+[[nodiscard]] QWidget* make_leak_card(AppContext& context,
+                                      const std::shared_ptr<const sim::Recording>& recording);
 /// Damage on the anatomy, beside energy and incision or what an exercise asked for.
 [[nodiscard]] QWidget* make_map_card(AppContext& context,
                                      const std::shared_ptr<const sim::Recording>& recording);

@@ -229,6 +229,7 @@ class ResultPage : public Page {
                 wait->hide();
                 const auto show = [this](double time_s) { watch(time_s); };
                 pictures_->addWidget(make_ledger_card(context_, data_, *recording, show));
+                if (QWidget* leak = make_leak_card(context_, recording)) pictures_->addWidget(leak);
                 pictures_->addWidget(make_map_card(context_, recording));
                 pictures_->addWidget(make_ways_card(context_, recording));
             },

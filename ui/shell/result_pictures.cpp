@@ -1,13 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Result: the field with damage or energy, the incision, and the paths of the instruments.
+// Result: where a slit leaks, the field with damage or energy, the incision, and the paths of the
+// instruments.
 
 #include <QButtonGroup>
 #include <QGridLayout>
 #include <QStackedLayout>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <vector>
 
+#include "assessment/leak_map.h"
+#include "reports/leak_figure.h"
 #include "reports/words.h"
 #include "ui/shell/result_cards.h"
 
@@ -69,7 +74,7 @@ class Shelf : public QWidget {
     std::vector<QWidget*> pictures_;
 };
 
-constexpr int kLeastMap = 280, kLeastWay = 260;
+constexpr int kLeastMap = 280, kLeastWay = 260, kLeastLeak = 420;
 
 }  // namespace
 
@@ -147,6 +152,34 @@ QWidget* make_map_card(AppContext& context,
                     reports::draw_incision(painter, where, *recording, style);
                 });
     layout->addWidget(shelf);
+    return make_card(layout);
+}
+
+QWidget* make_leak_card(AppContext& context,
+                        const std::shared_ptr<const sim::Recording>& recording) {
+    const std::optional<assessment::LeakMap> map = assessment::leak_map(*recording);
+    if (!map && !reports::looks_at_leak(reports::scope_of(recording->header).scored))
+        return nullptr;
+    auto* layout = new QVBoxLayout;
+    layout->setSpacing(kSpace8);
+    const QString name = reports::figure_word("Where it leaks");
+    layout->addWidget(make_label(name, "heading"));
+    const QString words = map ? reports::leak_words(*map) : reports::no_leak_map_words();
+    if (map) {
+        const reports::ChartStyle style = chart_style(context.theme());
+        const int height = static_cast<int>(std::ceil(reports::leak_height(style)));
+        QWidget* picture = make_picture(
+            [map = *map, style](QPainter& painter, const QRectF& where) {
+                reports::draw_leak(painter, where, map, style);
+            },
+            QSize(kLeastLeak, height), name, words);
+        picture->setObjectName("leak_map");
+        picture->setMaximumHeight(height);
+        layout->addWidget(picture);
+    }
+    QLabel* said = make_label(words, map ? "body" : "muted");
+    said->setObjectName("leak_words");
+    layout->addWidget(said);
     return make_card(layout);
 }
 

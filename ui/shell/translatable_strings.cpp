@@ -353,6 +353,33 @@ namespace {
     QT_TRANSLATE_NOOP("Figure", "novices"),
     QT_TRANSLATE_NOOP("Figure", "experts"),
     QT_TRANSLATE_NOOP("Figure", "cut at %1"),
+    QT_TRANSLATE_NOOP("Figure", "Where it leaks"),
+    QT_TRANSLATE_NOOP("Figure", "leak at 12.5 cmH2O [ml/min]"),
+    QT_TRANSLATE_NOOP("Figure", "nothing leaks"),
+    QT_TRANSLATE_NOOP("Figure", "bites: filled = in, open = out, dashed = not finished"),
+    QT_TRANSLATE_NOOP("Figure", "no bite"),
+    QT_TRANSLATE_NOOP("Figure", "gap [mm]: grey without pressure, line at 12.5 cmH2O"),
+    QT_TRANSLATE_NOOP("Figure", "gap [mm] without pressure"),
+    QT_TRANSLATE_NOOP("Figure", "upper end"),
+    QT_TRANSLATE_NOOP("Figure", "lower end"),
+    QT_TRANSLATE_NOOP("Figure", "left end"),
+    QT_TRANSLATE_NOOP("Figure", "right end"),
+    QT_TRANSLATE_NOOP("Figure", "burst at %1 cmH2O"),
+};
+
+// Where a slit leaks, in a sentence (reports/leak_words.cpp).
+[[maybe_unused]] const char* const kLeaks[] = {
+    QT_TRANSLATE_NOOP("Leak", "%1 mm from the upper end"),
+    QT_TRANSLATE_NOOP("Leak", "%1 mm from the left end"),
+    QT_TRANSLATE_NOOP("Leak", "It is tight at 12.5 cmH2O."),
+    QT_TRANSLATE_NOOP("Leak", "the rest lets %1 ml/min through"),
+    QT_TRANSLATE_NOOP("Leak", "the rest is tight"),
+    QT_TRANSLATE_NOOP("Leak", "there is no finished bite"),
+    QT_TRANSLATE_NOOP("Leak", "It leaks most%1: %2 ml/min at 12.5 cmH2O; %3."),
+    QT_TRANSLATE_NOOP("Leak", "It held up to %1 cmH2O; where it burst then was not recorded."),
+    QT_TRANSLATE_NOOP("Leak", "It held %1 cmH2O, the end of the test."),
+    QT_TRANSLATE_NOOP("Leak", "It burst at %1 cmH2O%2."),
+    QT_TRANSLATE_NOOP("Leak", "No map: this recording does not say what leaks where."),
 };
 
 [[maybe_unused]] const char* const kLedger[] = {

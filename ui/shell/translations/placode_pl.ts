@@ -2121,6 +2121,54 @@
         <source>h0 %1 acceptable</source>
         <translation>h0 %1 do przyjęcia</translation>
     </message>
+    <message>
+        <source>Where it leaks</source>
+        <translation>Gdzie przecieka</translation>
+    </message>
+    <message>
+        <source>leak at 12.5 cmH2O [ml/min]</source>
+        <translation>przeciek przy 12,5 cmH2O [ml/min]</translation>
+    </message>
+    <message>
+        <source>nothing leaks</source>
+        <translation>nic nie przecieka</translation>
+    </message>
+    <message>
+        <source>bites: filled = in, open = out, dashed = not finished</source>
+        <translation>ściegi: pełne = wkłucie, puste = wykłucie, kreski = nieukończony</translation>
+    </message>
+    <message>
+        <source>no bite</source>
+        <translation>brak ściegu</translation>
+    </message>
+    <message>
+        <source>gap [mm]: grey without pressure, line at 12.5 cmH2O</source>
+        <translation>szczelina [mm]: szara bez ciśnienia, linia przy 12,5 cmH2O</translation>
+    </message>
+    <message>
+        <source>gap [mm] without pressure</source>
+        <translation>szczelina [mm] bez ciśnienia</translation>
+    </message>
+    <message>
+        <source>upper end</source>
+        <translation>górny koniec</translation>
+    </message>
+    <message>
+        <source>lower end</source>
+        <translation>dolny koniec</translation>
+    </message>
+    <message>
+        <source>left end</source>
+        <translation>lewy koniec</translation>
+    </message>
+    <message>
+        <source>right end</source>
+        <translation>prawy koniec</translation>
+    </message>
+    <message>
+        <source>burst at %1 cmH2O</source>
+        <translation>puścił przy %1 cmH2O</translation>
+    </message>
 </context>
 <context>
     <name>DailyBackupCard</name>
@@ -2464,6 +2512,53 @@
     <message>
         <source>Open the task</source>
         <translation>Otwórz zadanie</translation>
+    </message>
+</context>
+<context>
+    <name>Leak</name>
+    <message>
+        <source>%1 mm from the upper end</source>
+        <translation>%1 mm od górnego końca</translation>
+    </message>
+    <message>
+        <source>%1 mm from the left end</source>
+        <translation>%1 mm od lewego końca</translation>
+    </message>
+    <message>
+        <source>It is tight at 12.5 cmH2O.</source>
+        <translation>Przy 12,5 cmH2O jest szczelne.</translation>
+    </message>
+    <message>
+        <source>the rest lets %1 ml/min through</source>
+        <translation>reszta przepuszcza %1 ml/min</translation>
+    </message>
+    <message>
+        <source>the rest is tight</source>
+        <translation>reszta jest szczelna</translation>
+    </message>
+    <message>
+        <source>there is no finished bite</source>
+        <translation>nie ma ukończonego ściegu</translation>
+    </message>
+    <message>
+        <source>It leaks most%1: %2 ml/min at 12.5 cmH2O; %3.</source>
+        <translation>Najbardziej przecieka%1: %2 ml/min przy 12,5 cmH2O; %3.</translation>
+    </message>
+    <message>
+        <source>It held up to %1 cmH2O; where it burst then was not recorded.</source>
+        <translation>Utrzymało do %1 cmH2O; nie zapisano, gdzie potem puściło.</translation>
+    </message>
+    <message>
+        <source>It held %1 cmH2O, the end of the test.</source>
+        <translation>Utrzymało %1 cmH2O, do końca próby.</translation>
+    </message>
+    <message>
+        <source>It burst at %1 cmH2O%2.</source>
+        <translation>Puściło przy %1 cmH2O%2.</translation>
+    </message>
+    <message>
+        <source>No map: this recording does not say what leaks where.</source>
+        <translation>Brak mapy: to nagranie nie mówi, gdzie ile przecieka.</translation>
     </message>
 </context>
 <context>
