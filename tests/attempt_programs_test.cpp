@@ -7,6 +7,7 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -15,6 +16,7 @@
 #include "curriculum/shipped_definitions.h"
 #include "db/recording_file.h"
 #include "db/store.h"
+#include "tests/leaky_slit.h"
 #include "tests/programs_fixture.h"
 #include "tests/recorded_attempt.h"
 
@@ -73,6 +75,40 @@ TEST_F(Programs, ADamagedRecordingNamesTheChunkAndCanBeRecovered) {
     EXPECT_EQ(ctl("score " + path).status, 2);
     EXPECT_EQ(ctl("metrics " + file("missing.placode")).status, 2);
     EXPECT_FALSE(fs::exists(store)) << "metrics need no store";
+}
+
+TEST_F(Programs, WhatASlitLeaksIsPrintedAndWrittenStationByStation) {
+    const std::string path = file("slit.placode"), csv = file("leaks.csv");
+    sim::Recording made = leaky_slit();
+    made.header.task_id = "suture_slit";
+    made.header.task_json = "{}";
+    made.header.tools.emplace_back();
+    {
+        const auto sink = db::create_recording_file(path);
+        sink->begin(made.header);
+        sink->append({}, {}, made.events);
+        sink->finish({sim::EndReason::kFinished, 30, 1, 0});
+    }
+    const Outcome done = ctl("--json metrics --leaks " + csv + " " + path);
+    ASSERT_EQ(done.status, 0) << done.err;
+    const auto json = nlohmann::json::parse(done.out);
+    ASSERT_EQ(json["leaks"].size(), 23U);
+    double sum = 0;
+    for (const auto& station : json["leaks"]) sum += station["leak_12_ml_min"].get<double>();
+    EXPECT_NEAR(sum, json["metrics"]["slit_leak_12_ml_min"].get<double>(), 1e-4);
+    EXPECT_TRUE(json["leaks"][11]["opened_cmh2o"].is_null()) << "it stayed shut";
+    const std::string text = read_text(csv);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 24);
+    EXPECT_THAT(text, testing::StartsWith("station,along_mm,"));
+    EXPECT_THAT(ctl("metrics " + path).out, HasSubstr("leak_12_ml_min"));
+    // Neither a signal nor another task has such a table.
+    write_recording(file("a.placode"));
+    const Outcome none = ctl("metrics --leaks " + csv + " " + file("a.placode"));
+    EXPECT_EQ(none.status, 2);
+    EXPECT_THAT(none.err, HasSubstr("does not say what leaks where"));
+    EXPECT_EQ(read_text(csv), text) << "nothing was written over it";
+    write_text(file("s.csv"), "t_s,T_C\n0,45\n1,45\n");
+    EXPECT_EQ(ctl("metrics --leaks " + csv + " " + file("s.csv")).status, 2);
 }
 
 TEST_F(Programs, ATaskWithAWrongUnitNamesFileAndPlace) {

@@ -9,19 +9,22 @@
 #include <optional>
 
 #include "assessment/bites.h"
+#include "assessment/leak_map.h"
 #include "assessment/phases.h"
 #include "assessment/signal.h"
 #include "assessment/signal_metrics.h"
 #include "assessment/tissue_metrics.h"
+#include "reports/leak_figure.h"
 #include "ui/cli/cli.h"
 #include "ui/cli/recording_output.h"
+#include "ui/cli/write_file.h"
 #include "ui/finite_range.h"
 
 namespace placode::cli {
 namespace {
 
 struct MetricsOptions {
-    std::string file, plan;
+    std::string file, plan, leaks;
     double tolerance_mm = 1;
     bool recover = false, phases = false;
     double threshold_n = -1;
@@ -75,7 +78,37 @@ void add_bites(const sim::Recording& recording, Json& json, std::string& text) {
     text += "\n" + table(rows);
 }
 
+/// What a sewn slit leaks, station by station; nothing for other tasks. Writes the file that was
+/// asked for.
+void add_leaks(const sim::Recording& recording, const MetricsOptions& options, Json& json,
+               std::string& text) {
+    const std::optional<assessment::LeakMap> map = assessment::leak_map(recording);
+    if (!map && !options.leaks.empty())
+        throw InputError(options.file +
+                         ": the recording does not say what leaks where; expected an attempt at a "
+                         "task whose slit is put under pressure (suture_slit)");
+    if (!map) return;
+    const reports::LeakTable leaks = reports::leak_table(*map);
+    json["leaks"] = Json::array();
+    std::vector<std::vector<std::string>> rows{leaks.columns};
+    for (const auto& station : leaks.rows) {
+        Json one;
+        std::vector<std::string> row;
+        for (size_t k = 0; k < station.size(); ++k) {
+            one[leaks.columns[k]] = optional_number(station[k]);
+            row.push_back(optional_text(station[k], k == 0 ? 0 : 3));
+        }
+        json["leaks"].push_back(std::move(one));
+        rows.push_back(std::move(row));
+    }
+    text += "\n" + table(rows);
+    if (options.leaks.empty()) return;
+    write_file(options.leaks, reports::leak_csv(leaks));
+    text += "written: " + options.leaks + "\n";
+}
+
 int metrics_of_recording(const Context& context, const MetricsOptions& options) {
+    need_writable_file("--leaks", options.leaks);
     std::string damage;
     const sim::Recording recording = load_recording(options.file, options.recover, damage);
     const auto metrics = assessment::compute_metrics(recording);
@@ -85,6 +118,7 @@ int metrics_of_recording(const Context& context, const MetricsOptions& options) 
     json["metrics"] = metrics_json(metrics);
     std::string text = (damage.empty() ? "" : "damaged: " + damage + "\n") + metric_table(metrics);
     add_bites(recording, json, text);
+    add_leaks(recording, options, json, text);
     if (options.phases) {
         json["phases"] = Json::array();
         for (const auto& part : assessment::compute_phase_metrics(recording)) {
@@ -102,6 +136,8 @@ int metrics_of_recording(const Context& context, const MetricsOptions& options) 
 }
 
 int metrics_of_signal(const Context& context, const MetricsOptions& options) {
+    if (!options.leaks.empty())
+        throw InputError("--leaks: " + options.file + " is a signal; expected FILE.placode");
     assessment::SignalOptions signal = options.signal;
     if (options.threshold_n >= 0) signal.threshold_n = options.threshold_n;
     const assessment::SignalFile file = assessment::read_signal_file(options.file);
@@ -191,6 +227,8 @@ void add_metrics_commands(CLI::App& app, Context& context) {
                      "Force signal: what counts as too much [N]")
         ->check(ui::finite_range(0.0, 1e6));
     metrics_command->add_flag("--phases", options->phases, "Recording: each phase as well");
+    metrics_command->add_option("--leaks", options->leaks,
+                                "Recording of a sewn slit: OUT.csv, what each station leaks");
     metrics_command->add_flag("--recover", options->recover,
                               "Recording: use what stands before the damage");
     metrics_command->callback([&context, options] {
