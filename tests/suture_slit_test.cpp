@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "assessment/closure.h"
+#include "assessment/leak_map.h"
 #include "assessment/scoring.h"
 #include "curriculum/replay.h"
 #include "sim/contact/slit_gap.h"
@@ -116,6 +117,14 @@ TEST(SutureSlit, AnIntermediateMakesItTightButNotAsWell) {
     EXPECT_GT(run.value("slit_burst_cmh2o"), 6);
     // Content with 90 mN where the expert draws until 120: it holds less.
     EXPECT_LT(run.value("slit_burst_cmh2o"), 0.6 * expert().value("slit_burst_cmh2o"));
+    // It says where: of the recording alone.
+    const auto map = assessment::leak_map(run.recording);
+    ASSERT_TRUE(map && map->whole && map->burst);
+    EXPECT_EQ(map->bites.size(), 3U);
+    const auto burst = assessment::worst_leak(*map, assessment::LeakStage::kLast);
+    ASSERT_TRUE(burst && burst->between.any());
+    EXPECT_NEAR(1e3 * burst->along_m, run.value("slit_burst_mm"), 1e-9);
+    EXPECT_NEAR((burst->leak_m3_s + burst->rest_m3_s) / map->all_m3_s[2], 1, 1e-4);
     EXPECT_NEAR(run.value("draw_pull_least_mn"), 90, 8);
     EXPECT_GE(expert().value("draw_pull_least_mn"), 120);
     EXPECT_LT(run.score.points, expert().score.points - 5);
@@ -131,6 +140,10 @@ TEST(SutureSlit, WhoDoesNothingLeavesItOpen) {
     // Fluid rubs on the walls, and presses them apart.
     EXPECT_NEAR(outcome.value("slit_leak_6_ml_min"), open_leak_ml_min(), 0.06 * open_leak_ml_min());
     EXPECT_EQ(outcome.value("slit_burst_cmh2o"), 0);
+    // An ellipse is widest, and so leaks and bursts most, in its middle.
+    EXPECT_NEAR(outcome.value("slit_leak_worst_mm"), 6, 1);
+    EXPECT_NEAR(outcome.value("slit_burst_mm"), 6, 1);
+    EXPECT_EQ(outcome.value("slit_leak_worst_stretch"), 0);
 }
 
 TEST(SutureSlit, IsReplayedBitForBitOnOtherNumbersOfThreadsAndItsWallsNeverPassEachOther) {
