@@ -96,6 +96,10 @@ void need_accounts(StoreContext& context) {
                                 "with `placodectl user add LOGIN --begin-anew`");
 }
 
+void tell(const StoreContext& context, const UpdateStep& step) {
+    if (context.options.updating) context.options.updating(step);
+}
+
 /// After an update: a store from before there were seals gets them once. Not one that this computer
 /// has signed before: its trail was taken away, and check() has to say so.
 void seal_what_was_there(StoreContext& context) {
@@ -124,10 +128,32 @@ void seal_what_was_there(StoreContext& context) {
         return;
     }
     if (!context.station.heads().empty()) return;
+    tell(context, {UpdatePart::kSeals, {}});
     UnitOfWork work(context.connection);
     context.lock_trail();
     if (!sealed()) context.seal_the_unsealed();
     work.commit();
+}
+
+/// A store of an older program is about to change: what is kept of it.
+void keep_older(StoreContext& context) {
+    Connection& connection = context.connection;
+    if (context.options.leave_older)
+        connection.fail(StoreError::Kind::kOlder, "its tables are older than this program");
+    const std::string& path = connection.url().path;
+    if (!connection.is_sqlite() || path == ":memory:")
+        return tell(context, {UpdatePart::kTables, {}});
+    tell(context, {UpdatePart::kCheck, {}});
+    const std::string problem = sqlite_integrity_problem(connection);
+    if (!problem.empty())
+        connection.fail(StoreError::Kind::kDamaged,
+                        "not migrated, because it is damaged (" + problem +
+                            "); restore a backup with `placodectl restore FILE`");
+    need_room_for_copy(context, path);
+    tell(context, {UpdatePart::kCopy, {}});
+    const std::string copy = path + ".before-update-" + file_stamp();
+    keep_checked_copy(context, copy);
+    tell(context, {UpdatePart::kTables, copy});
 }
 
 /// The tables of this program, in a store that may be new or older.
@@ -141,17 +167,8 @@ void bring_up_to_date(StoreContext& context) {
         return moved ? moved : std::optional<Said>(guard_refusal());
     });
     const auto& set = context.options.migrations;
-    const bool changed =
-        migrate(connection, set.empty() ? embedded_migrations() : set, [&context, &connection] {
-            if (!connection.is_sqlite() || connection.url().path == ":memory:") return;
-            const std::string problem = sqlite_integrity_problem(connection);
-            if (!problem.empty())
-                connection.fail(StoreError::Kind::kDamaged,
-                                "not migrated, because it is damaged (" + problem +
-                                    "); restore a backup with `placodectl restore FILE`");
-            need_room_for_copy(context, connection.url().path);
-            keep_checked_copy(context, connection.url().path + ".before-update-" + file_stamp());
-        });
+    const bool changed = migrate(connection, set.empty() ? embedded_migrations() : set,
+                                 [&context] { keep_older(context); });
     renew_station_role(connection, changed);
     if (context.options.station) need_station_role(connection, context.options.service);
     seal_what_was_there(context);

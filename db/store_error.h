@@ -29,6 +29,7 @@ class StoreError : public std::runtime_error {
         kRefused,
         kNotFound,
         kMissing,  ///< A store that was here before is not here now.
+        kOlder,    ///< Its tables are older than this program, which was not to update them.
         kOther
     };
     StoreError(Kind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}

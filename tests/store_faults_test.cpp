@@ -110,6 +110,44 @@ TEST_P(StoreTest, AnOlderStoreIsBroughtUpToDateAndKeepsItsData) {
     EXPECT_EQ(db::open_store("sqlite:" + copy, options)->accounts().list().size(), 1u);
 }
 
+TEST_P(StoreTest, AnOlderStoreIsLeftAsItIsWhereThatIsAsked) {
+    using db::UpdatePart;
+    become_owner();
+    open()->accounts().create(trainee("anna"));
+    options.migrations = db::embedded_migrations();
+    options.migrations.push_back({"9001_test.sql", "CREATE TABLE later (id {ID}) {STRICT};\n"});
+    std::vector<UpdatePart> parts;
+    std::string copy;
+    options.updating = [&](const db::UpdateStep& step) {
+        parts.push_back(step.part);
+        if (!step.copy.empty()) copy = step.copy;
+    };
+    const auto kept = [this] {
+        int found = 0;
+        for (const auto& entry : fs::directory_iterator(folder.path()))
+            if (entry.path().string().find(".before-update-") != std::string::npos) ++found;
+        return found;
+    };
+    options.leave_older = true;
+    EXPECT_EQ(failure_of([&] { (void)open(); }).kind(), StoreError::Kind::kOlder);
+    EXPECT_FALSE(raw().run("SELECT * FROM later"));
+    EXPECT_EQ(kept(), 0);
+    EXPECT_TRUE(parts.empty());
+    options.leave_older = false;
+    EXPECT_EQ(open()->accounts().list().size(), 1u);
+    EXPECT_TRUE(raw().run("SELECT * FROM later"));
+    const std::vector<UpdatePart> of_a_file{UpdatePart::kCheck, UpdatePart::kCopy,
+                                            UpdatePart::kTables};
+    EXPECT_EQ(parts, is_sqlite() ? of_a_file : std::vector{UpdatePart::kTables});
+    EXPECT_EQ(kept(), is_sqlite() ? 1 : 0);
+    EXPECT_EQ(fs::exists(copy), is_sqlite()) << copy;
+    // One that is up to date is opened, and nothing is told.
+    options.leave_older = true;
+    parts.clear();
+    EXPECT_EQ(open()->accounts().list().size(), 1u);
+    EXPECT_TRUE(parts.empty());
+}
+
 TEST_P(StoreTest, AMigrationThatFailsLeavesTheStoreAsItWas) {
     become_owner();
     open()->accounts().create(trainee("anna"));

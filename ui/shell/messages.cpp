@@ -91,6 +91,7 @@ void describe_store(const db::StoreError& error, const QString& doing, Problem& 
             problem.title = Messages::tr("This is not there any more.");
             problem.way_out = words.isEmpty() ? Messages::tr("Open the page again.") : words;
             return;
+        case Kind::kOlder:
         case Kind::kOther:
             break;
     }
