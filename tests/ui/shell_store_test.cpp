@@ -1,14 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A store that is gone is no first start; a session ends when its account has changed; a recording
-// that cannot be saved is copied elsewhere.
+// A store that is gone is no first start, an older one is brought up to date; a session ends when
+// its account has changed; a recording that cannot be saved is copied elsewhere.
 
+#include <QFileInfo>
 #include <QProcess>
 #include <QRadioButton>
+#include <QSqlDatabase>
+#include <QSqlError>
+#include <QSqlQuery>
+#include <initializer_list>
+#include <vector>
 
 #include "all_threads_taken.h"
 #include "page_fit.h"
 #include "shell_harness.h"
+#include "ui/shell/details.h"
 
 namespace placode::ui {
 
@@ -21,6 +28,8 @@ class ShellStoreTest : public QObject {
     void aStoreThatWasMovedIsFoundAgain();
     void aStoreThatIsGoneComesFromItsBackup();
     void nobodyOpensTheStoreWhileABackupIsPutInPlace();
+    void anOlderStoreIsBroughtUpToDateBehindAPageThatSaysSo();
+    void anUpdateThatFailsSaysWhereTheCopyLies();
     void anEmptyStoreIsBegunOnlyWhenSomebodySaysSo();
     void theRolesOfAPersonAreChanged();
     void aSessionEndsWhenItsRolesAreOthers();
@@ -38,6 +47,18 @@ class ShellStoreTest : public QObject {
     [[nodiscard]] bool asksForTheStore() const {
         return shell_->find<QPushButton>("begin_anew") != nullptr &&
                shell_->find<QLineEdit>("login") == nullptr;
+    }
+    /// Changes a file that no program has open.
+    static void edit(const QString& file, std::initializer_list<const char*> statements);
+    /// As the version before left it.
+    static void makeOlder(const QString& file) {
+        edit(file, {"ALTER TABLE attempts DROP COLUMN read_by", kForgetNewest});
+    }
+    static constexpr const char* kForgetNewest =
+        "DELETE FROM schema_migrations WHERE name = '0019_readings.sql'";
+    [[nodiscard]] static QStringList keptBeside(const QString& file) {
+        const QFileInfo store(file);
+        return store.dir().entryList({store.fileName() + ".before-update-*"}, QDir::Files);
     }
     /// As from another computer.
     [[nodiscard]] std::unique_ptr<db::Store> elsewhere() const {
@@ -148,6 +169,87 @@ void ShellStoreTest::nobodyOpensTheStoreWhileABackupIsPutInPlace() {
     shell_->open_this = copy;
     QVERIFY(shell_->click("restore_backup"));
     QVERIFY(shell_->arrives(PageId::kLogin, 60));
+}
+
+void ShellStoreTest::edit(const QString& file, std::initializer_list<const char*> statements) {
+    const QString name = "edit";
+    {
+        QSqlDatabase database = QSqlDatabase::addDatabase("QSQLITE", name);
+        database.setDatabaseName(file);
+        QVERIFY(database.open());
+        for (const char* each : statements) {
+            QSqlQuery query(database);
+            QVERIFY2(query.exec(each), qPrintable(query.lastError().text()));
+        }
+    }
+    QSqlDatabase::removeDatabase(name);
+}
+
+// It was done in the thread of the window, which was not there for as long as that took.
+void ShellStoreTest::anOlderStoreIsBroughtUpToDateBehindAPageThatSaysSo() {
+    const QString older = shell_->path("older.db");
+    loseStore(older);
+    makeOlder(older);
+    QVERIFY(asksForTheStore());
+    shell_->open_this = older;
+    AppContext& context = shell_->context();
+    std::vector<db::UpdatePart> parts;
+    const QObject listens;
+    connect(&context, &AppContext::updateReached, &listens,
+            [&] { parts.push_back(context.updating().value()); });
+    {
+        AllThreadsTaken taken(context.workers());
+        QVERIFY(shell_->click("choose_store"));
+        QVERIFY(QTest::qWaitFor([&] { return context.updating().has_value(); }, 5000));
+        QVERIFY2(keptBeside(older).isEmpty(), "nothing is done in this thread");
+        for (const QSize size : {QSize(960, 540), QSize(1366, 768)}) {
+            shell_->window().resize(size);
+            QTest::qWait(100);
+            const QStringList cut = misfits(shell_->window());
+            QVERIFY2(cut.isEmpty(), qPrintable(cut.join("\n")));
+            shell_->keep(shell_->window().grab(),
+                         QString("04_store_is_older_%1").arg(size.width()));
+        }
+        // The window is built anew, which looks for the store.
+        context.setLanguage("pl");
+        context.setLanguage("en");
+        QVERIFY(shell_->text("update_part").contains("from beginning to end"));
+        QVERIFY(!context.openStore());
+        shell_->refuseNext();
+        QVERIFY2(!shell_->window().close(), "it asks");
+    }
+    QVERIFY(shell_->arrives(PageId::kLogin, 60));
+    const std::vector<db::UpdatePart> all{db::UpdatePart::kCheck, db::UpdatePart::kCopy,
+                                          db::UpdatePart::kTables};
+    QVERIFY(parts == all);
+    QCOMPARE(keptBeside(older).size(), 1);
+    QVERIFY(!context.updating() && !context.storeIsOlder());
+    QVERIFY(shell_->signIn("ada", "correct horse"));
+    // At the first start after an update nobody has to do anything.
+    shell_->stop();
+    makeOlder(older);
+    shell_->start("older.db");
+    QVERIFY(shell_->arrives(PageId::kLogin, 60));
+    QCOMPARE(keptBeside(older).size(), 2);
+}
+
+void ShellStoreTest::anUpdateThatFailsSaysWhereTheCopyLies() {
+    shell_->stop();
+    edit(file(), {kForgetNewest});  // Its column is there, so that it cannot be made.
+    shell_->start();
+    QVERIFY(
+        QTest::qWaitFor([&] { return shell_->find<QPushButton>("try_again") != nullptr; }, 60000));
+    QVERIFY(shell_->window().banner().isShown());
+    const QStringList cut = misfits(shell_->window());
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join("\n")));
+    shell_->keep(shell_->window().grab(), "04_update_failed");
+    const auto* said = shell_->find<Details>("update_copy");
+    QVERIFY(said != nullptr);
+    QCOMPARE(keptBeside(file()), QStringList{QFileInfo(said->text()).fileName()});
+    edit(file(), {"ALTER TABLE attempts DROP COLUMN read_by"});
+    QVERIFY(shell_->click("try_again"));
+    QVERIFY(shell_->arrives(PageId::kLogin, 60));
+    QVERIFY(shell_->signIn("ada", "correct horse"));
 }
 
 void ShellStoreTest::anEmptyStoreIsBegunOnlyWhenSomebodySaysSo() {

@@ -84,9 +84,18 @@ class AppContext : public QObject {
     /// In the background, then opens the store; until `done` openStore() opens nothing.
     void restoreBackup(const QString& file, QObject* receiver, std::function<void(bool)> done);
     [[nodiscard]] bool restoring() const { return restoring_; }
+    /// The last openStore() failed because an older program made the store. Nothing was reported
+    /// and nothing changed: updateStore() follows.
+    [[nodiscard]] bool storeIsOlder() const { return store_older_; }
+    /// In the background, then opens the store; until `done` openStore() opens nothing. `done` gets
+    /// whether it is open, and where the store as it was is kept; empty = no copy was made.
+    void updateStore(QObject* receiver, std::function<void(bool, const QString&)> done);
+    /// What updateStore() is doing; nullopt = it is not running.
+    [[nodiscard]] const std::optional<db::UpdatePart>& updating() const { return updating_; }
     /// Threads of work in the background; tests take them all.
     [[nodiscard]] QThreadPool& workers() { return works_; }
-    /// Another file from now on, also at the next start without --store.
+    /// Another file from now on, also at the next start without --store. True also for one of an
+    /// older program, which is not open then: storeIsOlder().
     [[nodiscard]] bool chooseStore(const QString& file);
     /// The same for a centre's server; `address` without a password. What was open stays open when
     /// the server cannot be reached.
@@ -206,6 +215,7 @@ class AppContext : public QObject {
     void userChanged();
     void appearanceChanged();  ///< Theme or language: rebuild what is shown.
     void problemReported(const placode::ui::Problem& problem);
+    void updateReached();                   ///< updating() is another one.
     void busyChanged(const QString& what);  ///< Empty: nothing is running.
     /// On whatever page its administrator is by then. Done: it is lastErasure().
     void erasureEnded(const QString& name, bool done);
@@ -235,7 +245,8 @@ class AppContext : public QObject {
     std::function<void(const QString&)> show_file_;
     std::unique_ptr<QSettings> settings_;
     std::unique_ptr<db::Store> store_;
-    bool store_missing_ = false, restoring_ = false;
+    bool store_missing_ = false, store_older_ = false, restoring_ = false;
+    std::optional<db::UpdatePart> updating_;
     std::optional<db::UserRecord> user_;
     QString session_note_;
     QElapsedTimer session_asked_;

@@ -5,6 +5,8 @@
 #include <QDialog>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QPointer>
+#include <memory>
 #include <optional>
 
 #include "db/store_url.h"
@@ -93,13 +95,15 @@ std::string AppContext::urlWithPassword() {
 }
 
 bool AppContext::openStore(const db::StoreOptions& options) {
-    if (restoring_) return false;  // Another file is about to take its place.
+    // Another file is about to take its place, or its tables are changing.
+    if (restoring_ || updating_) return false;
     store_.reset();
-    store_missing_ = false;
+    store_missing_ = store_older_ = false;
     const QString asked = without_password(store_url_);
     const bool tried = guard(tr("Opening the store"), [&] {
+        std::string url;
         try {
-            const std::string url = urlWithPassword();
+            url = urlWithPassword();
             db::StoreOptions there = options;
             there.station = true;  // Whoever sits here must not act with the owner's log-in.
             store_ = db::open_store(url, there);
@@ -109,7 +113,9 @@ bool AppContext::openStore(const db::StoreOptions& options) {
         } catch (const GivenUp&) {  // Not opened, and nobody wonders why.
         } catch (const db::StoreError& error) {
             store_missing_ = error.kind() == db::StoreError::Kind::kMissing;
-            if (!store_missing_) throw;
+            store_older_ = error.kind() == db::StoreError::Kind::kOlder;
+            if (store_older_) store_url_ = url;  // The server took the password.
+            if (!store_missing_ && !store_older_) throw;
         }
     });
     if (!tried || store_ == nullptr) return false;
@@ -122,7 +128,34 @@ bool AppContext::openStore(const db::StoreOptions& options) {
 bool AppContext::openStore() {
     db::StoreOptions options;
     options.known = storeSetting(kKnown).toBool();
+    options.leave_older = true;
     return openStore(options);
+}
+
+void AppContext::updateStore(QObject* receiver, std::function<void(bool, const QString&)> done) {
+    store_.reset();
+    updating_ = db::UpdatePart::kCheck;
+    const auto copy = std::make_shared<QString>();  // Of this thread.
+    const QPointer<QObject> alive(receiver);
+    const auto updated = [this, alive, copy, done = std::move(done)](bool up_to_date) {
+        updating_.reset();
+        const bool open = up_to_date && openStore();
+        if (alive) done(open, *copy);
+    };
+    db::StoreOptions options;
+    options.known = storeSetting(kKnown).toBool();
+    options.station = true;  // It may what openStore() may, and no more.
+    options.updating = [this, copy](const db::UpdateStep& step) {
+        const auto reach = [this, copy, step] {
+            if (!step.copy.empty()) *copy = qstr(step.copy);
+            updating_ = step.part;
+            Q_EMIT updateReached();
+        };
+        QMetaObject::invokeMethod(this, reach, Qt::QueuedConnection);
+    };
+    inThread(
+        this, [url = store_url_, options] { (void)db::open_store(url, options); },
+        beginBusy(this, tr("Bringing the store up to date"), updated, {}, {}), Lane::kWork);
 }
 
 void AppContext::rememberStore() { setStoreSetting(kKnown, true); }
@@ -139,7 +172,8 @@ bool AppContext::chooseStore(const QString& file) {
     store_url_ = "sqlite:" + file.toStdString();
     db::StoreOptions options;
     options.known = true;
-    if (!openStore(options)) {
+    options.leave_older = true;
+    if (!openStore(options) && !store_older_) {
         if (store_missing_)
             (void)guard(tr("Opening the store"), [this] {
                 throw db::StoreError(db::StoreError::Kind::kOther,
@@ -156,7 +190,7 @@ bool AppContext::chooseStore(const QString& file) {
 bool AppContext::chooseServer(const QString& address) {
     const std::string before = store_url_;
     store_url_ = address.toStdString();
-    if (!openStore()) {
+    if (!openStore(db::StoreOptions())) {
         store_url_ = before;
         (void)openStore();
         return false;

@@ -38,6 +38,7 @@ double peak_memory_mb() {
 /// Opens every page that this person may open and prints how long each took, as JSON. The password
 /// comes from $PLACODE_PASSWORD: measuring opens no door.
 int measure_pages(AppContext& context, MainWindow& window, const QString& login) {
+    while (context.updating()) QApplication::processEvents(QEventLoop::WaitForMoreEvents);
     if (!context.storeIsOpen()) return 1;
     const db::SignIn sign_in = context.store().accounts().sign_in(
         login.toStdString(), qEnvironmentVariable("PLACODE_PASSWORD").toStdString());

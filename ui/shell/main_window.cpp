@@ -74,6 +74,7 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
 
 void MainWindow::begin() {
     if (context_.restoring()) return showMissingStore();
+    if (context_.updating()) return showUpdating();
     const auto again = [this] {
         notices_->closeAll();
         begin();
@@ -83,6 +84,7 @@ void MainWindow::begin() {
             first = !context_.store().accounts().any();
         })) {
         if (context_.storeIsMissing()) return showMissingStore();
+        if (context_.storeIsOlder()) return updateStore();
         showRetry(tr("Placode cannot open its store."), again);
         if (context_.storeWasChosen()) offerOwnStore(again);
         return;

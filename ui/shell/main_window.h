@@ -7,6 +7,7 @@
 #include <QMainWindow>
 #include <QPointer>
 #include <QTimer>
+#include <functional>
 #include <vector>
 
 #include "ui/shell/notices.h"
@@ -15,6 +16,7 @@
 class QHBoxLayout;
 class QLabel;
 class QProgressBar;
+class QPushButton;
 class QToolButton;
 class QVBoxLayout;
 
@@ -84,6 +86,20 @@ class MainWindow : public QMainWindow {
     /// A way out below it: the store that was chosen is another computer's, and that may be gone.
     void offerOwnStore(const std::function<void()>& again);
     void showMissingStore();
+    void restoreFrom(const QString& file);
+    /// Brings it up to date behind a page that says so, and begins again.
+    void updateStore();
+    void showUpdating();
+    /// @param copy where the store as it was before is kept; empty = none was made.
+    void showUpdateFailed(const QString& copy);
+    /// A card in the middle, in place of any page. @param layout what it holds
+    QWidget* showCard(QVBoxLayout* layout);
+    struct Way {
+        QString text;
+        const char *kind, *icon, *name;
+    };
+    /// A button of such a card.
+    QPushButton* addWay(QVBoxLayout* layout, const Way& way, const std::function<void()>& act);
     void announce(const QString& text, const QString& written = {});
     void goBack();
     /// Leaves `from` as it asked for, not while a question stands; then only if it is shown still.

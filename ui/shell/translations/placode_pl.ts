@@ -6655,6 +6655,10 @@
         <translation>Przywracanie kopii</translation>
     </message>
     <message>
+        <source>Bringing the store up to date</source>
+        <translation>Dostosowywanie bazy do nowej wersji</translation>
+    </message>
+    <message>
         <source>Your account was closed. An administrator can open it again.</source>
         <translation>Twoje konto zostało wyłączone. Administrator może je włączyć.</translation>
     </message>
@@ -6779,6 +6783,42 @@
     <message>
         <source>Begin anew</source>
         <translation>Zacznij od nowa</translation>
+    </message>
+    <message>
+        <source>The store is being read from beginning to end.</source>
+        <translation>Baza jest czytana od początku do końca.</translation>
+    </message>
+    <message>
+        <source>A copy of it is being made.</source>
+        <translation>Powstaje jej kopia.</translation>
+    </message>
+    <message>
+        <source>Its tables are being changed.</source>
+        <translation>Jej tabele są zmieniane.</translation>
+    </message>
+    <message>
+        <source>What it holds is being sealed.</source>
+        <translation>To, co zawiera, jest pieczętowane.</translation>
+    </message>
+    <message>
+        <source>The store is being brought up to date</source>
+        <translation>Baza jest dostosowywana do nowej wersji</translation>
+    </message>
+    <message>
+        <source>An older version of Placode made it. With many attempts this takes minutes. Do not switch the computer off; Placode goes on by itself.</source>
+        <translation>Utworzyła ją starsza wersja Placode. Przy wielu próbach trwa to kilka minut. Nie wyłączaj komputera; Placode sam ruszy dalej.</translation>
+    </message>
+    <message>
+        <source>The store could not be brought up to date</source>
+        <translation>Nie udało się dostosować bazy do nowej wersji</translation>
+    </message>
+    <message>
+        <source>No data is lost.</source>
+        <translation>Żadne dane nie zginęły.</translation>
+    </message>
+    <message>
+        <source>No data is lost. A copy of the store as it was before is kept: whoever helps finds its place in the details.</source>
+        <translation>Żadne dane nie zginęły. Kopia bazy sprzed zmiany została zachowana: gdzie leży, podają szczegóły, dla tego, kto pomaga.</translation>
     </message>
     <message>
         <source>It used up this attempt of the exam. An educator can grant another one.</source>
