@@ -153,6 +153,28 @@ TEST_F(Usage, WhatIsNoNumberIsRefusedBeforeAnythingIsDone) {
     EXPECT_THAT(arm.err, StartsWith("placode-sim: --test-force: found \"nan\"; expected 0.1"));
 }
 
+// CLI11 made 18446744073709551615 of -1, and 8 of 010.
+TEST_F(Usage, ASeedIsAWholeNumberFromZero) {
+    write_text(file("a.csv"), "score\n1\n2\n4\n");
+    const std::string bootstrap = "--json stats bootstrap a.csv --seed ";
+    const std::string dataset = "dataset --recordings none --out set --split-seed ";
+    const std::string attempt =
+        "--task touch_targets --device script:expert --headless --fast --record a.placode --seed ";
+    for (const std::string value : {"-1", "1.5", "0x10", "x", "18446744073709551616"}) {
+        const std::string said =
+            "seed: found \"" + value + "\"; expected 0 to 18446744073709551615";
+        for (const Outcome& each :
+             {ctl(bootstrap + value), ctl(dataset + value), run("placode-sim", attempt + value)}) {
+            EXPECT_EQ(each.status, 2) << value;
+            EXPECT_THAT(each.err, HasSubstr(said));
+        }
+    }
+    EXPECT_FALSE(fs::exists(file("a.placode")));
+    EXPECT_THAT(ctl(bootstrap + "010").out, HasSubstr("\"seed\": 10,"));
+    EXPECT_THAT(ctl(bootstrap + "18446744073709551615").out,
+                HasSubstr("\"seed\": 18446744073709551615,"));
+}
+
 TEST_F(Usage, OutputThatDoesNotFitOnTheDiskIsAFailure) {
     write_text(file("line.csv"), "x_mm,y_mm\n0,0\n5,0\n10,0\n");
     const std::string contour = "contour line.csv line.csv";

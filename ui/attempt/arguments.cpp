@@ -11,6 +11,7 @@
 
 #include "db/recording_order.h"
 #include "ui/finite_range.h"
+#include "ui/seed_range.h"
 #include "ui/usage_message.h"
 #include "ui/version.h"
 #include "ui/view/picture_size.h"
@@ -145,7 +146,8 @@ void add_attempt_options(CLI::App& app, Arguments& arguments) {
         ->check(finite_range(0.001, 86400.0));
     app.add_option("--threads", arguments.threads, "Threads of the physics")
         ->check(CLI::Range(1, 64));
-    app.add_option("--seed", arguments.seed, "Seed of anatomy and scripted operator");
+    app.add_option("--seed", arguments.seed, "Seed of anatomy and scripted operator")
+        ->check(seed_range());
 }
 
 /// How it is shown and saved.

@@ -7,6 +7,7 @@
 
 #include "ui/cli/stats_table.h"
 #include "ui/finite_range.h"
+#include "ui/seed_range.h"
 #include "ui/usage_message.h"
 
 namespace placode::cli {
@@ -77,7 +78,8 @@ void add_stats_commands(CLI::App& app, Context& context) {
     stats->add_option("--by", options->by, "Column with the groups");
     stats->add_option("--statistic", options->statistic, "mean or median (bootstrap)");
     stats->add_option("--resamples", options->resamples, "Monte-Carlo resamples (bootstrap)");
-    stats->add_option("--seed", options->seed, "Seed of the resampling (bootstrap)");
+    stats->add_option("--seed", options->seed, "Seed of the resampling (bootstrap)")
+        ->check(ui::seed_range());
     stats->add_option("--digits", options->digits,
                       "Significant digits of the differences before ties are counted (wilcoxon; "
                       "default: exact, as R)");
