@@ -119,6 +119,25 @@ TEST_F(Usage, AValueOfAnyLengthIsRefusedAndEndsNoProgram) {
     }
 }
 
+TEST_F(Usage, WhatIsGivenTooOftenIsSaidInOurWords) {
+    const Outcome twice = run("placode-sim", "--task touch_targets --task needle_bite --headless");
+    EXPECT_EQ(twice.status, 2);
+    EXPECT_EQ(twice.err,
+              "placode-sim: --task: is given 2 times; expected once; see `placode-sim --help`\n");
+    const Outcome thrice = ctl("attempts --user a --user b --user c");
+    EXPECT_EQ(thrice.status, 2);
+    EXPECT_EQ(thrice.err,
+              "placodectl: attempts: --user: is given 3 times; expected once; see `placodectl "
+              "attempts --help`\n");
+    const Outcome shares = ctl("dataset --recordings in --out set --split 40,30,20,10");
+    EXPECT_EQ(shares.status, 2);
+    EXPECT_THAT(shares.err, AllOf(HasSubstr("--split: found 4 values; expected 3"),
+                                  Not(HasSubstr("required but received"))));
+    const Outcome pair = ctl("dataset --recordings in --out set --split 40,60");
+    EXPECT_EQ(pair.status, 2);
+    EXPECT_THAT(pair.err, AllOf(HasSubstr("--split: "), Not(HasSubstr("required but received"))));
+}
+
 TEST_F(Usage, AStrangeWordIsNotGuessedAt) {
     const Outcome said = ctl("theremin");
     EXPECT_EQ(said.status, 2);

@@ -69,6 +69,7 @@ inline std::string value_message(const std::string& sentence) {
     static const std::regex kConvert(R"(^Could not convert: (.+?) = (.*)$)");
     static const std::regex kMissing(R"(^(.+?): \d+ required (.*) missing$)");
     static const std::regex kRequired(R"(^(.+) is required$)");
+    static const std::regex kTooMany(R"(^(.+?): At Most (\d+) required but received (\d+)$)");
     std::smatch part;
     const auto thing = [&] { return part[1].matched ? part[1].str() + ": " : std::string(); };
     if (std::regex_match(said, part, kNoMember)) {
@@ -87,6 +88,11 @@ inline std::string value_message(const std::string& sentence) {
     if (std::regex_match(said, part, kMissing))
         return part[1].str() + ": the value is missing; expected " + part[2].str();
     if (std::regex_match(said, part, kRequired)) return part[1].str() + ": is missing";
+    if (std::regex_match(said, part, kTooMany)) {
+        const bool once = part[2] == "1";
+        return part[1].str() + (once ? ": is given " : ": found ") + part[3].str() +
+               (once ? " times; expected once" : " values; expected " + part[2].str());
+    }
     return said;
 }
 
