@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include "assessment/csv_reader.h"
 #include "sim/core/text_file.h"
@@ -15,6 +17,9 @@ namespace placode::assessment {
 namespace {
 
 std::vector<CsvRow> rows_of(const std::string& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error))
+        throw SignalError(path + ": this is a folder; expected a CSV file");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw SignalError(path + ": cannot be read; expected a CSV file");
     const auto text = sim::read_at_most(in, sim::kLargestTable);

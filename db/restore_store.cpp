@@ -66,6 +66,8 @@ std::string restore_store(const std::string& url, const std::string& backup_path
         throw StoreError(Kind::kRefused, operation + ": ",
                          Said::that("only an embedded store is restored from a file; use "
                                     "pg_restore on the server"));
+    if (fs::is_directory(backup_path))
+        throw StoreError(Kind::kDamaged, operation + ": this is a folder");
     if (!fs::is_regular_file(backup_path))
         throw StoreError(Kind::kNotFound, operation + ": there is no such backup");
     // 1. The backup is proved on a copy, which becomes the new store: it stays as it is itself.

@@ -291,6 +291,19 @@ TEST_F(Usage, WhatIsNotThereOrAFolderIsSaidAsThat) {
     EXPECT_THAT(ctl("score .").err, HasSubstr("read the recording .: this is a folder"));
     EXPECT_THAT(run("placode-sim", "--device play:. --headless").err,
                 HasSubstr("read the recording .: this is a folder"));
+    add_user("anna", "trainee");
+    const std::pair<const char*, const char*> cases[]{
+        {"restore .", ": this is a folder; give a file that `placodectl backup` of this version"},
+        {"restore --rehearse .", ": this is a folder; give a file that `placodectl backup` of"},
+        {"stats alpha .", "read .: this is a folder; expected a CSV file"},
+        {"contour . .", ".: this is a folder; expected a CSV file"},
+        {"user import .", ".: this is a folder; expected a CSV file"},
+    };
+    for (const auto& [command, expected] : cases) {
+        const Outcome said = ctl(command);
+        EXPECT_EQ(said.status, 2) << command;
+        EXPECT_THAT(said.err, HasSubstr(expected)) << command;
+    }
 }
 
 TEST_F(Usage, AMisspeltLayoutOfTheControlsIsNamed) {

@@ -3,8 +3,10 @@
 // placodectl user import|invite|invitations|accept|pin. Own data and erasure: erasure_commands.cpp.
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <memory>
+#include <system_error>
 
 #include "reports/people_file.h"
 #include "sim/core/counted.h"
@@ -37,6 +39,9 @@ auto as_list(Work&& work) {
 }
 
 std::string whole_file(const std::string& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error))
+        throw InputError(path + ": this is a folder; expected a CSV file");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw InputError(path + ": cannot be read; expected a CSV file");
     auto text = sim::read_at_most(in, sim::kLargestText);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <system_error>
 
 #include "assessment/csv_reader.h"
 #include "sim/core/text_file.h"
@@ -64,6 +66,9 @@ double StatsTable::needed(size_t row, size_t column) const {
 }
 
 StatsTable read_stats_table(const std::string& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error))  // It can be opened as a file can.
+        throw InputError("read " + path + ": this is a folder; expected a CSV file");
     std::ifstream in(path, std::ios::binary);
     if (!in)
         throw InputError("read " + path + ": the file cannot be opened; check name and rights");
