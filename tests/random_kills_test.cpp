@@ -121,7 +121,7 @@ TEST_F(RandomKills, ABackupIsWholeOrNotThere) {
     };
     work.again = [&](int n, bool was_there) {
         const Outcome made = ctl("backup " + copy(n));
-        expect_done_or_known(made, was_there, 1, "is not overwritten");
+        expect_done_or_known(made, was_there, 2, "is not overwritten");
         EXPECT_EQ(logins(copy(n)), all);
         EXPECT_FALSE(fs::exists(copy(n) + ".failed"));
     };

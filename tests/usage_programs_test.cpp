@@ -281,6 +281,54 @@ TEST_F(Usage, WhereNothingCanBeWrittenIsSaidBeforeTheWork) {
     EXPECT_FALSE(fs::exists(file("new")));
 }
 
+// Some of them failed when the work was done, with a status that is for work that failed, and with
+// an entry in the audit trail of a file that there never was.
+TEST_F(Usage, EveryCommandLooksWhereItIsToWrite) {
+    add_user("anna", "trainee");
+    write_text(file("taken"), "kept");
+    const auto entries = [this] {
+        return placode::db::open_store("sqlite:" + store)->audit().trail(1000).size();
+    };
+    const size_t before = entries();
+    const std::string of_folders[]{"export csv --user anna", "user data --user anna",
+                                   "study construct s1", "report study s1 --out a.pdf --figures",
+                                   "batch plan rescore --recordings ."};
+    for (const std::string& command : of_folders) {
+        const std::string option = command.ends_with("--figures") ? "" : " --out";
+        const Outcome said = ctl(command + option + " taken/below");
+        EXPECT_EQ(said.status, 2) << command;
+        EXPECT_THAT(said.err, HasSubstr(" taken/below: cannot be written (")) << command;
+    }
+    const std::string of_files[]{"backup",
+                                 "audit --head",
+                                 "report attempt 1 --out",
+                                 "report seal 1 --out",
+                                 "report cohort all --out",
+                                 "report trainee anna --out",
+                                 "report certificate first_steps --user anna --out",
+                                 "report study s1 --out",
+                                 "norms export 1 --out",
+                                 "norms key export --out",
+                                 "batch merge none --out",
+                                 "study key-make s1 --file"};
+    for (const std::string& command : of_files) {
+        const Outcome said =
+            ctl(command + " taken/a.pdf", "PLACODE_PASSPHRASE='four words are good'");
+        EXPECT_EQ(said.status, 2) << command;
+        EXPECT_THAT(said.err, HasSubstr(" taken/a.pdf: cannot be written (")) << command;
+    }
+    for (const std::string command : {"backup", "audit --head", "norms key export --out"}) {
+        const Outcome said = ctl(command + " taken");
+        EXPECT_EQ(said.status, 2) << command;
+        EXPECT_THAT(said.err, HasSubstr(": taken exists and is not overwritten; give another name"))
+            << command;
+    }
+    EXPECT_EQ(ctl("backup missing/copy.db").status, 2) << "it makes no folder";
+    EXPECT_EQ(entries(), before);
+    EXPECT_EQ(read_text(file("taken")), "kept");
+    EXPECT_EQ(ctl("backup copy.db").status, 0);
+}
+
 TEST_F(Usage, WhatIsNotThereOrAFolderIsSaidAsThat) {
     const Outcome web = run("placode-web", "--store sqlite:never_was.db");
     EXPECT_EQ(web.status, 2);

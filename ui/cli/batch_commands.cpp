@@ -16,6 +16,7 @@
 #include "sim/core/counted.h"
 #include "ui/cli/batch.h"
 #include "ui/cli/progress.h"
+#include "ui/cli/write_file.h"
 #include "ui/version.h"
 
 namespace placode::cli {
@@ -153,6 +154,7 @@ int status(const Context& context, const BatchOptions& options) {
 }
 
 int merge(const Context& context, const BatchOptions& options) {
+    need_file_place("--out", options.out);
     const batches::Manifest manifest = batches::read_manifest(options.folder);
     const std::string out =
         options.out.empty() ? (fs::path(options.folder) / "result.jsonl").string() : options.out;

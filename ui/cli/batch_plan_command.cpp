@@ -16,6 +16,7 @@
 #include "ui/cli/progress.h"
 #include "ui/cli/seed_list.h"
 #include "ui/cli/session.h"
+#include "ui/cli/write_file.h"
 #include "ui/finite_range.h"
 #include "ui/version.h"
 
@@ -174,6 +175,7 @@ batches::Manifest plan_of(const Context& context, const BatchPlanOptions& option
 
 int plan(const Context& context, const BatchPlanOptions& options) {
     refuse_useless(options);
+    need_writable_folder("--out", options.out);
     const CancelOn cancel{SIGINT, SIGTERM};
     batches::Manifest manifest = plan_of(context, options);
     manifest.build = batches::build_text(ui::version_text());

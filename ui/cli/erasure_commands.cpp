@@ -10,6 +10,7 @@
 #include "reports/people_file.h"
 #include "sim/core/counted.h"
 #include "ui/cli/people.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -23,6 +24,7 @@ struct ErasureOptions {
 };
 
 int data(const Context& context, const ErasureOptions& options) {
+    need_writable_folder("--out", options.out);
     Session session(context, Missing::kRefuse);
     const int64_t id = named_or_self(session, options.login);
     session.need_for(Action::kExportPersonalData, id);

@@ -10,6 +10,7 @@
 #include "sim/core/counted.h"
 #include "sim/core/near_word.h"
 #include "ui/cli/session.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -63,6 +64,7 @@ int run_export(const Context& context, const ExportOptions& options) {
         throw InputError("export " + options.format + ": found " +
                          (options.study.empty() ? "neither" : "both") +
                          " of --study and --user; expected one of them");
+    need_writable_folder("--out", options.out);
     Session session(context, Missing::kRefuse);
     const reports::ExportSource source{
         options.study.empty() ? user_data(session, options) : study_data(session, options),

@@ -13,6 +13,7 @@
 #include "ui/cli/norms_quality.h"
 #include "ui/cli/norms_standard.h"
 #include "ui/cli/people.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -136,6 +137,7 @@ int show(const Context& context, const NormsOptions& options) {
 }
 
 int export_pack(const Context& context, const NormsOptions& options) {
+    need_file_place("--out", options.file);
     Session session = educator(context);
     const auto record = find_pack(session, options.id);
     // Before the file: nothing leaves without its entry.

@@ -9,6 +9,7 @@
 #include "db/signature.h"
 #include "ui/cli/centre_passphrase.h"
 #include "ui/cli/norms_key_commands.h"
+#include "ui/cli/write_file.h"
 #include "ui/lti/secret_file.h"
 
 namespace placode::cli {
@@ -91,11 +92,9 @@ int renew_key(const Context& context, const KeyOptions& options) {
 }
 
 int export_key(const Context& context, const KeyOptions& options) {
+    need_new_file("--out", options.file);
     Session session(context, Missing::kRefuse);
     (void)need_key(session);
-    if (std::filesystem::exists(options.file))
-        throw InputError("--out " + options.file +
-                         ": is there and is not overwritten; give another name");
     const std::string text = as_input([&] { return session.store().norms().exported_centre_key(); },
                                       db::StoreError::Kind::kNotFound);
     // Before the file: nothing leaves without its entry.

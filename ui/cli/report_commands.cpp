@@ -22,6 +22,7 @@
 #include "sim/core/near_word.h"
 #include "ui/cli/people.h"
 #include "ui/cli/scratch_folder.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -61,14 +62,10 @@ void need_pdf_name(const std::string& path) {
                      "--figures FOLDER`)");
 }
 
-/// A recording that is there may be the only one of its attempt. @throws InputError
-void need_new_recording(const std::string& path) {
-    if (path.empty() || !std::filesystem::exists(std::filesystem::symlink_status(path))) return;
-    throw InputError("--recording: " + path + " exists and is not overwritten; give another name");
-}
-
 int report_seal(const Context& context, const ReportOptions& options) {
-    need_new_recording(options.recording);
+    need_file_place("--out", options.out);
+    // One that is there may be the only one of its attempt.
+    need_new_file("--recording", options.recording);
     Session session(context, Missing::kRefuse);
     const int64_t id = need_attempt(session, "report seal", options.id).record.id;
     const ScratchFolder scratch;
@@ -88,6 +85,7 @@ int report_seal(const Context& context, const ReportOptions& options) {
 
 int report_attempt(const Context& context, const ReportOptions& options) {
     need_pdf_name(options.out);
+    need_file_place("--out", options.out);
     Session session(context, Missing::kRefuse);
     const db::AttemptDetail attempt = need_attempt(session, "report attempt", options.id);
     const int64_t id = attempt.record.id;
@@ -113,6 +111,8 @@ std::string figures_folder(const ReportOptions& options) {
 
 int report_study(const Context& context, const ReportOptions& options) {
     need_pdf_name(options.out);
+    need_file_place("--out", options.out);
+    need_writable_folder("--figures", figures_folder(options));
     Session session(context, Missing::kRefuse);
     session.need(Action::kExportStudy, Scope::kOther);
     if (session.store().studies().participants(options.id).empty())
@@ -239,7 +239,10 @@ void add_report_commands(CLI::App& app, Context& context) {
         added->add_option("ID", options->id, id)->required();
         added->add_option("--out", options->out, "FILE.pdf")->required();
         added->callback([&context, options, work] {
-            context.run = [&context, options, work] { return work(context, *options); };
+            context.run = [&context, options, work] {
+                need_file_place("--out", options->out);
+                return work(context, *options);
+            };
         });
         return added;
     };

@@ -17,6 +17,7 @@
 #include "ui/cli/progress.h"
 #include "ui/cli/scratch_folder.h"
 #include "ui/cli/session.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -73,6 +74,7 @@ int check(const Context& context, const std::vector<std::string>& heads) {
 }
 
 int backup(const Context& context, const std::string& path) {
+    for (const std::string& file : {path, db::head_file_of(path)}) need_new_file("backup", file);
     const std::string url = store_url_of(context);
     if (context.as_user.empty() && db::parse_store_url(url).engine == db::Engine::kPostgresql) {
         // With the log-in of the tables' owner, who may do all with them; the store refuses others.
@@ -279,6 +281,7 @@ int audit_set_aside(const Context& context, int64_t entry, const std::string& re
 }
 
 int audit_head(const Context& context, const std::string& path) {
+    need_new_file("--head", path);
     Session session(context, Missing::kRefuse);
     session.need(Action::kBackup, Scope::kOther);
     const db::TrailHead head = session.store().audit().head();

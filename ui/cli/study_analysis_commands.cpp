@@ -8,6 +8,7 @@
 #include "sim/core/counted.h"
 #include "ui/cli/session.h"
 #include "ui/cli/study_records.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -46,6 +47,7 @@ reports::Analysis raters(const reports::StudyReport& report, Session& session,
 }
 
 int analyse(const Context& context, const StudyAnalysisOptions& options, Work work) {
+    need_writable_folder("--out", options.out);
     Session session(context, Missing::kRefuse);
     session.need(db::Action::kExportStudy, db::Scope::kOther);
     if (session.store().studies().participants(options.study).empty())

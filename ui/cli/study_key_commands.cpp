@@ -4,12 +4,14 @@
 // opening is audited, without names.
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "db/participant_key.h"
 #include "ui/cli/session.h"
 #include "ui/cli/study_options.h"
 #include "ui/cli/study_records.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -47,6 +49,7 @@ ParticipantKey opened(Session& session, const Context& context, const StudyKeyOp
 int make(const Context& context, const StudyKeyOptions& options) {
     Session session = coordinator(context);
     const std::string path = path_of(context, options);
+    need_place("--file " + path + ": cannot be written", std::filesystem::path(path).parent_path());
     const std::string phrase = read_password(kVariable, "Passphrase for " + path, true);
     as_input([&] {
         const auto key = ParticipantKey::create(path, options.study, phrase);

@@ -50,6 +50,29 @@ inline void need_writable_file(const std::string& option, const std::string& fil
                          "); choose another place");
 }
 
+/// The same of a file in a folder that is there: the command makes none.
+inline void need_file_place(const std::string& option, const std::string& file) {
+    namespace fs = std::filesystem;
+    if (file.empty()) return;
+    std::error_code error;
+    const fs::path folder = fs::absolute(file, error).parent_path();
+    if (!fs::is_directory(folder, error))
+        throw InputError(option + " " + file + ": cannot be written (" + folder.string() +
+                         " is no folder); choose another place");
+    need_writable_file(option, file);
+}
+
+/// The same of a file that is never written over.
+inline void need_new_file(const std::string& option, const std::string& file) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    if (file.empty()) return;
+    if (fs::exists(fs::symlink_status(file, error)))
+        throw InputError(option + ": " + file +
+                         " exists and is not overwritten; give another name");
+    need_file_place(option, file);
+}
+
 /// @throws InputError naming the file when it cannot be written to its end.
 inline void write_file(const std::filesystem::path& path, const std::string& text) {
     std::ofstream out(path, std::ios::binary);
