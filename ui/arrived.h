@@ -13,9 +13,21 @@
 
 namespace placode::ui {
 
-/// `status`, or 1 where standard output took not all and `status` is 0: a script would go on with
-/// half a text. Says so on standard error. Whoever reads through a pipe may have seen enough. For
-/// what was written by stdio, or by a std::cout that is in step with it. At the end of a program.
+/// Says on standard error that standard output did not take all that was to stand there. `status`,
+/// or 1 in the place of 0: a script would go on with half a text.
+/// @param reason errno of what could not be written; 0 = not known.
+[[nodiscard]] inline int not_arrived(const char* program, int status, int reason) {
+    const std::string why = reason == 0 ? "" : " (" + std::generic_category().message(reason) + ")";
+    std::fprintf(stderr,
+                 "%s: standard output: cannot be written%s; what should stand there is not "
+                 "whole\n",
+                 program, why.c_str());
+    return status == 0 ? 1 : status;
+}
+
+/// `status`, or what not_arrived() makes of it where standard output took not all. Whoever reads
+/// through a pipe may have seen enough. For what was written by stdio, or by a std::cout that is in
+/// step with it. At the end of a program.
 [[nodiscard]] inline int arrived(const char* program, int status) {
     errno = 0;
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
@@ -25,12 +37,7 @@ namespace placode::ui {
     const bool is_pipe =
         ::fstat(STDOUT_FILENO, &kind) == 0 && (S_ISFIFO(kind.st_mode) || S_ISSOCK(kind.st_mode));
     if (reason == EPIPE || (reason == 0 && is_pipe)) return status;
-    const std::string why = reason == 0 ? "" : " (" + std::generic_category().message(reason) + ")";
-    std::fprintf(stderr,
-                 "%s: standard output: cannot be written%s; what should stand there is not "
-                 "whole\n",
-                 program, why.c_str());
-    return status == 0 ? 1 : status;
+    return not_arrived(program, status, reason);
 }
 
 }  // namespace placode::ui

@@ -62,7 +62,7 @@ inline std::string without_middle(const std::string& said) {
 
 /// What CLI11 says of a value, in our form: its own sentence when it is none of the known ones.
 inline std::string value_message(const std::string& sentence) {
-    const std::string said = without_middle(sentence);
+    std::string said = without_middle(sentence);
     static const std::regex kNoMember(R"(^(?:(.+?): )?(.*) not in \{(.*)\}$)");
     static const std::regex kRange(
         R"(^(?:(.+?): )?Value (.*) not in range \[?(.*?)(?: - | to )(.*?)\]?$)");

@@ -75,9 +75,9 @@ void warn_if_busy(const Json& machine);
 
 /// Prints one JSON document with --json, else the text.
 void print(const Context& context, const Json& json, const std::string& text);
-/// Why what was printed did not all reach standard output, as on a full disk. None where it did,
-/// or where nobody reads the pipe any more.
-[[nodiscard]] std::optional<std::string> output_trouble();
+/// Why what was printed did not all reach standard output, as on a full disk: errno. 0 where it
+/// did, or where nobody reads the pipe any more.
+[[nodiscard]] int output_trouble();
 
 /// Fixed decimals with '.' in every locale.
 [[nodiscard]] std::string fixed(double value, int decimals);

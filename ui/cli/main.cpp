@@ -4,11 +4,14 @@
 
 #include <QApplication>
 #include <clocale>
+#include <cstdio>
+#include <exception>
 #include <iostream>
 #include <sstream>
 
 #include "curriculum/definitions.h"
 #include "db/store.h"
+#include "ui/arrived.h"
 #include "ui/cli/batch.h"
 #include "ui/cli/dataset.h"
 #include "ui/cli/on_screen.h"
@@ -33,12 +36,10 @@ int status_of(const db::StoreError& error) {
     return error.kind() == db::StoreError::Kind::kNotFound ? 2 : 1;
 }
 
-// Done is only what has arrived: a script would go on with half a document.
+// Done is only what has arrived. Here the reason is known, which ui::arrived() may not find.
 int with_output(int status) {
-    const auto trouble = cli::output_trouble();
-    if (!trouble) return status;
-    std::cerr << "placodectl: " << *trouble << '\n';
-    return status == 0 ? 1 : status;
+    const int reason = cli::output_trouble();
+    return reason == 0 ? status : ui::not_arrived("placodectl", status, reason);
 }
 
 // What Qt says to itself (no XDG_RUNTIME_DIR, ...) is not for whoever reads our output.
@@ -93,9 +94,7 @@ void add_commands(CLI::App& app, cli::Context& context) {
     cli::add_demo_commands(app, context);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int placodectl(int argc, char** argv) {
     // No window, ever: a display is not needed, also not for a report.
     qputenv("QT_QPA_PLATFORM", "offscreen");
     qInstallMessageHandler(keep_quiet);
@@ -135,4 +134,16 @@ int main(int argc, char** argv) {
         return with_output(fail(context, 2, placode::ui::usage_message(app, error)));
     }
     return with_output(run(context));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // What goes wrong before there is a command, or while its trouble is told.
+    try {
+        return placodectl(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "placodectl: %s\n", error.what());
+        return 1;
+    }
 }

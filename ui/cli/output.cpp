@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <iostream>
-#include <system_error>
 
 #include "sim/core/number_text.h"
 #include "ui/cli/cli.h"
@@ -59,7 +58,7 @@ std::string ask_without_echo(const std::string& prompt) {
     termios silent = before;
     silent.c_lflag &= ~static_cast<tcflag_t>(ECHO);
     tcsetattr(STDIN_FILENO, TCSAFLUSH, &silent);
-    const std::string line = read_line();
+    std::string line = read_line();
     tcsetattr(STDIN_FILENO, TCSAFLUSH, &before);
     std::cerr << '\n';
     return line;
@@ -79,12 +78,8 @@ void print(const Context& context, const Json& json, const std::string& text) {
     write_out(whole + '\n');
 }
 
-std::optional<std::string> output_trouble() {
-    // Whoever reads through a pipe may have seen enough, as `head` has.
-    if (trouble == 0 || trouble == EPIPE) return {};
-    return "standard output: cannot be written (" + std::generic_category().message(trouble) +
-           "); what should stand there is not whole";
-}
+// Whoever reads through a pipe may have seen enough, as `head` has.
+int output_trouble() { return trouble == EPIPE ? 0 : trouble; }
 
 std::string fixed(double value, int decimals) { return sim::fixed_text(value, decimals); }
 
@@ -121,13 +116,13 @@ std::string table(const std::vector<std::vector<std::string>>& rows) {
 std::string read_password(const char* variable, const std::string& prompt, bool twice) {
     if (const char* set = std::getenv(variable); set != nullptr) return set;
     if (isatty(STDIN_FILENO) == 0) {
-        const std::string line = read_line();
+        std::string line = read_line();
         if (line.empty())
             throw InputError(prompt + ": no terminal to ask at; set " + variable +
                              " or give it on the standard input");
         return line;
     }
-    const std::string first = ask_without_echo(prompt);
+    std::string first = ask_without_echo(prompt);
     if (twice && ask_without_echo(prompt + " (again)") != first)
         throw InputError(prompt + ": the two passwords differ; nothing was changed");
     return first;
