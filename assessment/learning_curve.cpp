@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "assessment/statistics.h"
 
@@ -49,8 +50,9 @@ double residual_sum(std::span<const double> y, const Vector3& p) {
 Vector3 start(std::span<const double> y) {
     const auto n = static_cast<double>(y.size());
     Vector3 best{0, 0, 1};
-    double least = INFINITY;
-    for (double tau = 0.3; tau < 20 * n; tau *= 1.25) {
+    double least = INFINITY, next = 0.3;
+    while (next < 20 * n) {
+        const double tau = std::exchange(next, next * 1.25);
         double se = 0, see = 0, sy = 0, sey = 0;
         for (size_t i = 0; i < y.size(); ++i) {
             const double e = std::exp(-static_cast<double>(i) / tau);

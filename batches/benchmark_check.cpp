@@ -194,7 +194,7 @@ fs::path entry_file(const fs::path& entry) {
 }
 
 Json read_entry(const fs::path& entry_json) {
-    const Json entry = Json::parse(read_text(entry_json), nullptr, false);
+    Json entry = Json::parse(read_text(entry_json), nullptr, false);
     if (!entry.is_object() || !entry.contains("benchmark") || !entry.contains("attempts"))
         throw BatchError(BatchError::Kind::kBadInput,
                          entry_json.string() +

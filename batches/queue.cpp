@@ -78,7 +78,7 @@ class Bench {
         for (size_t i = first; i < behind; ++i)
             if (manifest_.items[i].contains("recording")) fetch(manifest_.items[i].at("sha256"));
         do_shard(folder_, manifest_, shard, build, go_on, progress);
-        const std::string text = read_text(shard_path(folder_, shard));
+        std::string text = read_text(shard_path(folder_, shard));
         fs::remove(shard_path(folder_, shard));
         for (size_t i = first; i < behind; ++i)
             if (manifest_.items[i].contains("recording"))

@@ -109,6 +109,7 @@ PracticeGuide::PracticeGuide(const std::vector<TaskStep>& steps, const sim::Scen
     scene_ = &scene;
     if (scene.suture) needle_arc_m_ = scene.suture->needle().arc_m();
     std::vector<sim::PracticeStep> goals;
+    goals.reserve(steps.size());
     for (const TaskStep& step : steps) goals.push_back(step.goal);
     tracker_.emplace(goals, scene.tools, scene.geometry);
     const auto at_rest = [&](int32_t v) -> Vec3 {

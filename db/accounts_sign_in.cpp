@@ -49,7 +49,7 @@ int Accounts::wait_before_sign_in(const std::string& key) {
 
 SignIn Accounts::sign_in(const std::string& login, const std::string& password) {
     connection_.begin_operation("sign in to");
-    const SignIn found = check_password(login, password);
+    SignIn found = check_password(login, password);
     if (found.user) context_.become(found.user->id);
     return found;
 }

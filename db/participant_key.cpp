@@ -28,7 +28,7 @@ namespace {
 using Kind = StoreError::Kind;
 
 constexpr const char* kFormat = "placode participant key";
-constexpr qint64 kLargestFile = 64 * 1024 * 1024;
+constexpr qint64 kLargestFile = qint64{64} << 20;
 /// What a file may ask for: a changed one must not exhaust the machine.
 constexpr quint64 kMostOps = 16, kMostMemory = 1024ULL * 1024 * 1024;
 
@@ -142,7 +142,7 @@ ParticipantKey ParticipantKey::open(const std::string& path, const std::string& 
     key.passphrase_ = passphrase;
     key.cheap_ = memory <= crypto_pwhash_MEMLIMIT_MIN;
     key.study_id_ = text_of(content, "study");
-    for (const QJsonValue& each : content["people"].toArray()) {
+    for (const QJsonValue each : content["people"].toArray()) {
         const QJsonObject person = each.toObject();
         key.entries_.push_back({text_of(person, "code"), text_of(person, "name"),
                                 text_of(person, "contact"), text_of(person, "remark"),

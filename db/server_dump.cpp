@@ -25,7 +25,7 @@ using RowCounts = std::map<std::string, int64_t>;
 
 /// Where the path has none, Debian's newest beside the server.
 QString program(Connection& connection, const char* name) {
-    if (const QString found = QStandardPaths::findExecutable(name); !found.isEmpty()) return found;
+    if (QString found = QStandardPaths::findExecutable(name); !found.isEmpty()) return found;
     const QDir versions(QStringLiteral("/usr/lib/postgresql"));
     QString best;
     int newest = 0;
@@ -209,7 +209,7 @@ TrailHead dump_store(StoreContext& context, const std::string& path) {
     const std::string part = path + kPartSuffix, failed = path + kFailedSuffix;
     try {
         Moment moment(connection);
-        const TrailHead head = moment.head();
+        TrailHead head = moment.head();
         const RowCounts rows = moment.rows();
         run_dump(connection, moment.snapshot(), part);
         if (const std::string problem = difference(rows, rows_in_dump(connection, part));

@@ -215,7 +215,7 @@ QString not_done_words(const std::string& text, const std::string& meaning) {
 
 QString deviation_words(const db::Deviation& deviation, Language language) {
     const Speaker say(language);
-    const QString text = QString::fromStdString(deviation.text);
+    QString text = QString::fromStdString(deviation.text);
     switch (deviation.kind) {
         case db::DeviationKind::kPaused:
             return pause_words(say, deviation);

@@ -283,6 +283,7 @@ Analysis construct_validity(const StudyReport& report, const std::string& by,
         return analysis;
     }
     std::vector<double> p;
+    p.reserve(list.size());
     for (const Comparison& each : list) p.push_back(each.p);
     const auto holm = assessment::holm_adjusted(p);
     analysis.method = comparison_method(*levels, list);

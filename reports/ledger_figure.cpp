@@ -74,7 +74,8 @@ void draw_axis(QPainter& painter, const LedgerPicture& picture, const Frame& fra
         step = each;
         if (picture.duration_s / each <= room) break;
     }
-    for (double t = 0; t <= picture.duration_s + 1e-6; t += step) {
+    for (int i = 0; i * step <= picture.duration_s + 1e-6; ++i) {
+        const double t = i * step;
         const double x = frame.time.at(t);
         painter.setPen(QPen(colour(style.line), 1));
         painter.drawLine(QPointF(x, frame.plot.top()), QPointF(x, frame.plot.bottom() + 3));

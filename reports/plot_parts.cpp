@@ -30,9 +30,11 @@ std::vector<double> round_ticks(double low, double high, int count) {
         if (step >= raw) break;
     }
     std::vector<double> ticks;
-    for (double tick = std::ceil(low / step - 1e-9) * step; tick <= high + 1e-9 * step;
-         tick += step)
+    double tick = std::ceil(low / step - 1e-9) * step;
+    while (tick <= high + 1e-9 * step) {
         ticks.push_back(std::abs(tick) < 1e-9 * step ? 0 : tick);
+        tick += step;
+    }
     return ticks;
 }
 

@@ -68,6 +68,7 @@ SlitOutline slit_outline(const OperativeFieldSpec& spec, const FieldShape& shape
         return middle + q.x() * half + q.y() * aside;
     };
     std::vector<Vec2> line;
+    line.reserve(arc.size());
     for (const Vec2& q : arc) line.push_back(placed(q));
     // One side is divided, the other one is its mirror image.
     for (const Vec2& p : divided(line, false, [&](const Vec2&) { return slit.edge_m; })) {
