@@ -5,71 +5,22 @@
 #include "db/store.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QStandardPaths>
-#include <QUuid>
 #include <cassert>
 #include <filesystem>
 
+#include "db/checked_copy.h"
 #include "db/disk_room.h"
-#include "db/durable_file.h"
-#include "db/foreign_store.h"
 #include "db/new_store.h"
 #include "db/password.h"
-#include "db/schema.h"
 #include "db/server_dump.h"
 #include "db/sqlite_file.h"
-#include "db/station_guard.h"
 #include "db/station_role.h"
 #include "db/store_context.h"
-#include "db/store_place.h"
+#include "db/store_update.h"
 
 namespace placode::db {
 namespace {
-
-// Two programs may update a store within one millisecond, so the name also says which.
-std::string file_stamp() {
-    return QDateTime::currentDateTimeUtc().toString("yyyyMMdd'T'HHmmsszzz'Z'").toStdString() + "-" +
-           QUuid::createUuid().toString(QUuid::WithoutBraces).left(8).toStdString();
-}
-
-/// A copy counts once it was opened and read; one that does not pass stays as PATH.failed.
-/// @param deeper what else may be wrong with it; "" = nothing.
-void keep_checked_copy(StoreContext& context, const std::string& path,
-                       const std::function<std::string(const std::string&)>& deeper = {}) {
-    Connection& connection = context.connection;
-    const std::string part = path + kPartSuffix, failed = path + kFailedSuffix;
-    // Whatever fails leaves no copy that nobody knows of, and the same name may be given again.
-    bool named = false;
-    const auto forget = [&] {
-        forget_sqlite_file(part);
-        if (named) forget_sqlite_file(path);
-    };
-    try {
-        remove_sqlite_file(part);
-        copy_sqlite_store(connection, part);
-        std::string problem = copy_problem(part, context.options.migrations);
-        if (problem.empty() && deeper) problem = deeper(part);
-        if (!problem.empty()) {
-            std::filesystem::rename(part, failed);
-            connection.fail(StoreError::Kind::kDamaged,
-                            "the copy does not pass its check (" + problem + ") and is kept as " +
-                                failed + "; check the store with `placodectl check`");
-        }
-        std::filesystem::rename(part, path);
-        named = true;
-        sync_folder_of(path);
-        forget_sqlite_file(part);  // A log that is folded in and that SQLite could not remove.
-    } catch (const std::filesystem::filesystem_error& error) {
-        forget();
-        connection.fail(StoreError::Kind::kUnavailable,
-                        "cannot write " + path + " (" + error.code().message() +
-                            "); the store is unchanged, give another place");
-    } catch (...) {
-        forget();
-        throw;
-    }
-}
 
 /// What the whole check says about a copy. @param head where its trail ends
 std::string first_problem(const std::string& path, const StoreOptions& options,
@@ -94,84 +45,6 @@ void need_accounts(StoreContext& context) {
                                 "the store that was here had accounts, and this one has none; "
                                 "restore a backup with `placodectl restore FILE`, or begin anew "
                                 "with `placodectl user add LOGIN --begin-anew`");
-}
-
-void tell(const StoreContext& context, const UpdateStep& step) {
-    if (context.options.updating) context.options.updating(step);
-}
-
-/// After an update: a store from before there were seals gets them once. Not one that this computer
-/// has signed before: its trail was taken away, and check() has to say so.
-void seal_what_was_there(StoreContext& context) {
-    if (context.server.guards()) {
-        // The owner of the tables has sealed what was there. A trail that is not there is not the
-        // one that this computer remembers.
-        if (end_of_trail(context.connection).entry == 0 && !any_account(context.connection))
-            context.station.forget();
-        return;
-    }
-    const auto sealed = [&context] {
-        return Statement(context.connection,
-                         "SELECT id FROM audit WHERE seals <> '' OR station <> '' ORDER BY id "
-                         "DESC LIMIT 1")
-            .run()
-            .next();
-    };
-    if (sealed()) return;
-    const auto empty = [&context](const char* table) {
-        return !Statement(context.connection, std::string("SELECT id FROM ") + table + " LIMIT 1")
-                    .run()
-                    .next();
-    };
-    if (empty("audit") && empty("accounts")) {
-        context.station.forget();  // of the store that was at this address before
-        return;
-    }
-    if (!context.station.heads().empty()) return;
-    tell(context, {UpdatePart::kSeals, {}});
-    UnitOfWork work(context.connection);
-    context.lock_trail();
-    if (!sealed()) context.seal_the_unsealed();
-    work.commit();
-}
-
-/// A store of an older program is about to change: what is kept of it.
-void keep_older(StoreContext& context) {
-    Connection& connection = context.connection;
-    if (context.options.leave_older)
-        connection.fail(StoreError::Kind::kOlder, "its tables are older than this program");
-    const std::string& path = connection.url().path;
-    if (!connection.is_sqlite() || path == ":memory:")
-        return tell(context, {UpdatePart::kTables, {}});
-    tell(context, {UpdatePart::kCheck, {}});
-    const std::string problem = sqlite_integrity_problem(connection);
-    if (!problem.empty())
-        connection.fail(StoreError::Kind::kDamaged,
-                        "not migrated, because it is damaged (" + problem +
-                            "); restore a backup with `placodectl restore FILE`");
-    need_room_for_copy(context, path);
-    tell(context, {UpdatePart::kCopy, {}});
-    const std::string copy = path + ".before-update-" + file_stamp();
-    keep_checked_copy(context, copy);
-    tell(context, {UpdatePart::kTables, copy});
-}
-
-/// The tables of this program, in a store that may be new or older.
-void bring_up_to_date(StoreContext& context) {
-    Connection& connection = context.connection;
-    connection.begin_operation("open");
-    if (connection.is_sqlite()) claim_sqlite_file(connection);
-    need_settled(connection);
-    connection.explain_refusals([&connection] {
-        const auto moved = moved_meanwhile(connection);
-        return moved ? moved : std::optional<Said>(guard_refusal());
-    });
-    const auto& set = context.options.migrations;
-    const bool changed = migrate(connection, set.empty() ? embedded_migrations() : set,
-                                 [&context] { keep_older(context); });
-    renew_station_role(connection, changed);
-    if (context.options.station) need_station_role(connection, context.options.service);
-    seal_what_was_there(context);
 }
 
 }  // namespace
