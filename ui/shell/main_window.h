@@ -62,6 +62,8 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] static QLabel* railHeading(const QString& text);
     [[nodiscard]] QToolButton* railButton(const RailPage& page);
     [[nodiscard]] QWidget* buildTopBar();
+    void addChips(QHBoxLayout* bar);
+    void addAppearance(QHBoxLayout* bar);  ///< Language and theme.
     void addUserMenu(QHBoxLayout* bar);
     void addSwitch(QHBoxLayout* bar);
     void switchUser();

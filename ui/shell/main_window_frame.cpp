@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QToolButton>
+#include <initializer_list>
 
 #include "ui/shell/help_window.h"
 #include "ui/shell/main_window.h"
@@ -33,6 +34,14 @@ QWidget* scrolling(QWidget* rail) {
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setFixedWidth(kRailWidth);
     return area;
+}
+
+/// As the buttons of the top bar are.
+void dress(std::initializer_list<QToolButton*> buttons) {
+    for (QToolButton* button : buttons) {
+        button->setIconSize(QSize(20, 20));
+        button->setFocusPolicy(Qt::StrongFocus);
+    }
 }
 
 /// The person's name is as long as title and buttons leave room for; whole in its tool tip.
@@ -127,13 +136,34 @@ QWidget* MainWindow::buildTopBar() {
         row->addWidget(badge);
     }
     row->addStretch();
+    addChips(row);
+    auto* search = new QToolButton;
+    search->setObjectName("search");
+    search->setText(tr("Search"));
+    search->setIcon(line_icon("search", context_.colors().text));
+    search->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    search->setAccessibleName(search->text());
+    search->setToolTip(tr("Search pages, tasks, people, attempts and the manual (Ctrl+K)"));
+    connect(search, &QToolButton::clicked, this, &MainWindow::openSearch);
+    search->setVisible(context_.signedIn());
+    row->addWidget(search);
+    dress({search});
+    row->addWidget(make_help_button(context_, this, [this] { return place_.page; }));
+    addAppearance(row);
+    addUserMenu(row);
+    addSwitch(row);
+    return bar;
+}
+
+/// What goes on beside the page: an attempt, and recordings that wait for the server.
+void MainWindow::addChips(QHBoxLayout* bar) {
     running_ = new QToolButton;
     running_->setObjectName("running_chip");
     running_->setText(tr("Attempt is running"));
     running_->setIcon(line_icon("play", context_.colors().accent));
     running_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     connect(running_, &QToolButton::clicked, this, [this] { open({PageId::kRunning, 0, {}, {}}); });
-    row->addWidget(running_);
+    bar->addWidget(running_);
     waiting_ = new QToolButton;
     waiting_->setObjectName("waiting_chip");
     waiting_->setIcon(line_icon("pause", context_.colors().accent));
@@ -145,19 +175,12 @@ QWidget* MainWindow::buildTopBar() {
         open({PageId::kRecovery, 0, {}, {}});
         context_.waiting().tryNow();
     });
-    row->addWidget(waiting_);
+    bar->addWidget(waiting_);
+    dress({running_, waiting_});
+}
+
+void MainWindow::addAppearance(QHBoxLayout* bar) {
     const bool dark = context_.theme() == ThemeKind::kDark;
-    auto* search = new QToolButton;
-    search->setObjectName("search");
-    search->setText(tr("Search"));
-    search->setIcon(line_icon("search", context_.colors().text));
-    search->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    search->setAccessibleName(search->text());
-    search->setToolTip(tr("Search pages, tasks, people, attempts and the manual (Ctrl+K)"));
-    connect(search, &QToolButton::clicked, this, &MainWindow::openSearch);
-    search->setVisible(context_.signedIn());
-    row->addWidget(search);
-    row->addWidget(make_help_button(context_, this, [this] { return place_.page; }));
     auto* language = new QToolButton;
     language->setObjectName("language");
     language->setText(context_.language() == "pl" ? "EN" : "PL");
@@ -174,15 +197,9 @@ QWidget* MainWindow::buildTopBar() {
     theme->setAccessibleName(theme->toolTip());
     connect(theme, &QToolButton::clicked, this,
             [this, dark] { context_.setTheme(dark ? ThemeKind::kLight : ThemeKind::kDark); });
-    for (QToolButton* button : {running_, waiting_, search, language, theme}) {
-        button->setIconSize(QSize(20, 20));
-        button->setFocusPolicy(Qt::StrongFocus);
-    }
-    row->addWidget(language);
-    row->addWidget(theme);
-    addUserMenu(row);
-    addSwitch(row);
-    return bar;
+    dress({language, theme});
+    bar->addWidget(language);
+    bar->addWidget(theme);
 }
 
 /// One touch at a shared station: the next person signs in.
