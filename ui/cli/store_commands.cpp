@@ -293,9 +293,9 @@ int audit_head(const Context& context, const std::string& path) {
     return 0;
 }
 
-}  // namespace
+// In the order of the help:
 
-void add_store_commands(CLI::App& app, Context& context) {
+void add_check(CLI::App& app, Context& context) {
     auto heads = std::make_shared<std::vector<std::string>>();
     CLI::App* check_command =
         app.add_subcommand("check", "Checks the store: file, references, audit trail, recordings");
@@ -305,14 +305,19 @@ void add_store_commands(CLI::App& app, Context& context) {
         ->type_name("FILE");
     check_command->callback(
         [&context, heads] { context.run = [&context, heads] { return check(context, *heads); }; });
+}
 
+void add_backup(CLI::App& app, Context& context) {
     auto file = std::make_shared<std::string>();
     CLI::App* backup_command = app.add_subcommand(
         "backup", "Copies the store to FILE while others may use it; of a server with pg_dump");
     backup_command->add_option("FILE", *file, "New file for the copy")->required();
     backup_command->callback(
         [&context, file] { context.run = [&context, file] { return backup(context, *file); }; });
+}
 
+void add_restore(CLI::App& app, Context& context) {
+    auto file = std::make_shared<std::string>();
     CLI::App* restore_command = app.add_subcommand(
         "restore", "Puts the backup FILE in the place of the store; the old one is kept beside it");
     restore_command->add_option("FILE", *file, "A backup that `backup` wrote")->required();
@@ -325,7 +330,9 @@ void add_store_commands(CLI::App& app, Context& context) {
             return *rehearsal ? rehearse(context, *file) : restore(context, *file);
         };
     });
+}
 
+void add_attempts(CLI::App& app, Context& context) {
     auto user = std::make_shared<std::string>();
     auto task = std::make_shared<std::string>();
     CLI::App* attempts_command = app.add_subcommand("attempts", "Lists attempts, oldest first");
@@ -334,7 +341,9 @@ void add_store_commands(CLI::App& app, Context& context) {
     attempts_command->callback([&context, user, task] {
         context.run = [&context, user, task] { return attempts(context, *user, *task); };
     });
+}
 
+void add_audit(CLI::App& app, Context& context) {
     auto limit = std::make_shared<int>(50);
     CLI::App* audit_command = app.add_subcommand("audit", "Shows the audit trail, newest first");
     audit_command->add_option("--limit", *limit, "Number of entries")
@@ -359,6 +368,16 @@ void add_store_commands(CLI::App& app, Context& context) {
             return head->empty() ? audit(context, *limit) : audit_head(context, *head);
         };
     });
+}
+
+}  // namespace
+
+void add_store_commands(CLI::App& app, Context& context) {
+    add_check(app, context);
+    add_backup(app, context);
+    add_restore(app, context);
+    add_attempts(app, context);
+    add_audit(app, context);
 }
 
 }  // namespace placode::cli
