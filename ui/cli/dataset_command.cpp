@@ -158,7 +158,8 @@ std::array<int, 3> split_of(const DatasetOptions& options) {
     return {parts[0], parts[1], parts[2]};
 }
 
-int dataset(const Context& context, const DatasetOptions& options) {
+/// What was typed, before anything is read. @throws InputError
+reports::DemonstrationOptions how_of(const DatasetOptions& options) {
     if (options.recordings.empty() == options.study.empty())
         throw InputError("dataset: expected one of --recordings FOLDER and --study ID");
     if (options.step_ms % 10 != 0)
@@ -172,6 +173,22 @@ int dataset(const Context& context, const DatasetOptions& options) {
     if (!options.licence.empty()) how.licence = options.licence;
     how.software = std::string("Placode ") + ui::version_text();
     how.reader_file = (curriculum::data_folder() / "datasets" / "read_dataset.py").string();
+    return how;
+}
+
+/// @throws InputError saying why there is none.
+void need_any(const Chosen& chosen, const DatasetOptions& options) {
+    if (!chosen.demonstrations.empty()) return;
+    throw InputError(
+        "dataset: no attempt may be given away: " + sim::counted(chosen.left_out, "attempt") +
+        " of people who did not agree to \"" + options.statement + "\"" +
+        (chosen.not_counted > 0 ? ", " + sim::counted(chosen.not_counted, "attempt") +
+                                      " that do not count, or not before `placodectl verify`"
+                                : ""));
+}
+
+int dataset(const Context& context, const DatasetOptions& options) {
+    reports::DemonstrationOptions how = how_of(options);
     const CancelOn cancel{SIGINT, SIGTERM};
     const ScratchFolder workplace;
     std::unique_ptr<Session> session;
@@ -179,13 +196,7 @@ int dataset(const Context& context, const DatasetOptions& options) {
     const Chosen chosen =
         session ? from_study(*session, options, workplace.path()) : from_folder(options);
     clear_progress();
-    if (chosen.demonstrations.empty())
-        throw InputError(
-            "dataset: no attempt may be given away: " + sim::counted(chosen.left_out, "attempt") +
-            " of people who did not agree to \"" + options.statement + "\"" +
-            (chosen.not_counted > 0 ? ", " + sim::counted(chosen.not_counted, "attempt") +
-                                          " that do not count, or not before `placodectl verify`"
-                                    : ""));
+    need_any(chosen, options);
     how.origin = chosen.origin;
     how.consent = chosen.consent;
     how.left_out = chosen.left_out;
