@@ -93,6 +93,21 @@ int refuse_password() {
     return 2;
 }
 
+void describe(QCommandLineParser& parser) {
+    parser.setApplicationDescription("Training and assessment for fetoscopic spina bifida repair.");
+    // Qt's own would bring --help-all, which only a parser that ends the program answers.
+    parser.addOption({{"h", "help"}, "Displays help on commandline options."});
+    parser.addVersionOption();
+    parser.addOptions({{"store", "Store to open (sqlite:PATH, postgresql://...).", "URL"},
+                       {"data", "Folder with tasks, scenes, courses and questionnaires.", "FOLDER"},
+                       {"language", "Language of the shell: en or pl.", "LANGUAGE"},
+                       {"theme", "light or dark.", "THEME"},
+                       {"time-pages",
+                        "Sign in (password in $PLACODE_PASSWORD), open every page, print how long "
+                        "each took as JSON, and end.",
+                        "LOGIN"}});
+}
+
 constexpr QSize kFrame{4, 40};  ///< Of the desktop around a window [px].
 
 /// As it was left. A desk at 200 % has half the pixels: what would hang over its edge is shrunk,
@@ -121,18 +136,7 @@ int main(int argc, char** argv) {
     QApplication::setDesktopFileName("org.placode.Placode");
     QApplication::setApplicationVersion(placode::ui::version_text());
     QCommandLineParser parser;
-    parser.setApplicationDescription("Training and assessment for fetoscopic spina bifida repair.");
-    // Qt's own would bring --help-all, which only a parser that ends the program answers.
-    parser.addOption({{"h", "help"}, "Displays help on commandline options."});
-    parser.addVersionOption();
-    parser.addOptions({{"store", "Store to open (sqlite:PATH, postgresql://...).", "URL"},
-                       {"data", "Folder with tasks, scenes, courses and questionnaires.", "FOLDER"},
-                       {"language", "Language of the shell: en or pl.", "LANGUAGE"},
-                       {"theme", "light or dark.", "THEME"},
-                       {"time-pages",
-                        "Sign in (password in $PLACODE_PASSWORD), open every page, print how long "
-                        "each took as JSON, and end.",
-                        "LOGIN"}});
+    describe(parser);
     // Our own words for what is wrong, and status 2 as with the other programs.
     const bool understood = parser.parse(QApplication::arguments());
     // QCommandLineParser would end the program itself, whether or not its text has arrived.
