@@ -141,6 +141,31 @@ TaskStep read_task_step(const Json& json, const std::string& origin, const std::
     return step;
 }
 
+/// Places to begin at, behind the steps that they name.
+void read_stages(const Json& json, const std::string& origin, Task& task) {
+    const auto steps = static_cast<int>(task.steps.size());
+    for (const TaskStep& step : task.steps)
+        if (!step.devices.empty())
+            throw DefinitionError(origin, "/stages",
+                                  "some steps are for some devices only; a task with stages has "
+                                  "the same steps for all");
+    for (size_t i = 0; i < json.size(); ++i) {
+        const int before = json[i]["before_step"];
+        const std::string pointer = "/stages/" + std::to_string(i) + "/before_step";
+        const int least = i == 0 ? 1 : task.stages.back().before_step + 1;
+        if (steps < 2)
+            throw DefinitionError(origin, pointer,
+                                  "found " + std::to_string(before) +
+                                      "; the task has no step that comes after another");
+        if (before < least || before >= steps)
+            throw DefinitionError(origin, pointer,
+                                  "found " + std::to_string(before) + "; expected " +
+                                      std::to_string(least) + " to " + std::to_string(steps - 1) +
+                                      ": the index of a step, behind those of earlier stages");
+        task.stages.push_back({before, local_text(json[i]["title"])});
+    }
+}
+
 /// The scene as one complete object: named file or own object, with the task's changes on top.
 Json resolve_scene(const Json& task, const std::string& origin) {
     Json scene;
@@ -180,6 +205,7 @@ Task read_task(const Json& json, const std::string& origin) {
             task.steps.push_back(
                 read_task_step(step, origin, "/steps/" + std::to_string(task.steps.size())));
     }
+    if (json.contains("stages")) read_stages(json["stages"], origin, task);
     task.rubric = read_rubric(json["rubric"], origin);
 
     const Json scene = resolve_scene(json, origin);
@@ -211,6 +237,18 @@ Task read_task(const Json& json, const std::string& origin) {
 double limit_of(const Task& task, double asked_s) noexcept {
     const double own_s = task.time_limit_s > 0 ? task.time_limit_s : kLongestS;
     return asked_s > 0 ? std::min(asked_s, own_s) : own_s;
+}
+
+const TaskStage& stage_of(const Task& task, int stage) {
+    const auto count = static_cast<int>(task.stages.size());
+    if (stage >= 1 && stage <= count) return task.stages[static_cast<size_t>(stage) - 1];
+    std::string known;
+    for (int i = 0; i < count; ++i)
+        known += ", " + std::to_string(i + 1) + " (" +
+                 task.stages[static_cast<size_t>(i)].title.en + ")";
+    throw DefinitionError(
+        "task " + task.id, "/stages",
+        "has no stage " + std::to_string(stage) + "; known: 0 (the beginning)" + known);
 }
 
 std::vector<TaskStep> steps_for(const Task& task, const std::string& device) {

@@ -32,6 +32,12 @@ struct TaskStep {
     std::vector<std::string> devices;        ///< Only with these; empty = with all.
 };
 
+/// A place in a task to begin at in practice: what comes before it is given.
+struct TaskStage {
+    int before_step = 1;  ///< Index of the step that the trainee does first.
+    LocalText title;      ///< "Bite 2"
+};
+
 struct Task {
     std::string id;
     int version = 1;
@@ -40,9 +46,10 @@ struct Task {
     std::string scene_id;
     sim::OperativeFieldSpec scene;  ///< Resolved.
     double settle_s = 0.3;
-    double time_limit_s = 0;      ///< 0 = none: a person ends it, at the latest after kLongestS.
-    bool finish_when_cut = true;  ///< Ends by itself when the ring is complete.
-    std::vector<TaskStep> steps;  ///< Done in this order; the attempt ends with the last.
+    double time_limit_s = 0;        ///< 0 = none: a person ends it, at the latest after kLongestS.
+    bool finish_when_cut = true;    ///< Ends by itself when the ring is complete.
+    std::vector<TaskStep> steps;    ///< Done in this order; the attempt ends with the last.
+    std::vector<TaskStage> stages;  ///< Rising; stage k of an attempt is stages[k - 1].
     assessment::Rubric rubric;
     std::string
         json;  ///< Resolved text, for the recording: load_task_text(json) gives the same task.
@@ -52,6 +59,9 @@ struct Task {
 inline constexpr double kLongestS = 3600;
 /// When an attempt ends by itself [s]: by the task, or earlier where `asked_s` > 0 asks for it.
 [[nodiscard]] double limit_of(const Task& task, double asked_s) noexcept;
+
+/// Stage `stage` >= 1 of a task. Throws DefinitionError, which says what there is.
+[[nodiscard]] const TaskStage& stage_of(const Task& task, int stage);
 
 /// The steps that this device can do; scripts can do all. "script:expert" is the device "script".
 [[nodiscard]] std::vector<TaskStep> steps_for(const Task& task, const std::string& device);

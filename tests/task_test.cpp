@@ -200,6 +200,88 @@ TEST(Task, PlacesOfAStepAreReadAndWhatDoesNotFitIsRefused) {
               std::string::npos);
 }
 
+/// The stages of a task as text, in place of its own.
+std::string with_stages(const std::string& stages) {
+    std::string text = load_task("suture_run").json;
+    const size_t from = text.find("\"stages\":["), to = text.find("],\"rubric\"", from);
+    EXPECT_NE(from, std::string::npos);
+    EXPECT_NE(to, std::string::npos);
+    return text.replace(from, to + 1 - from, "\"stages\":" + stages);
+}
+
+std::string stage_refusal(const std::string& stages) {
+    try {
+        (void)load_task_text(with_stages(stages), "test");
+        return "taken";
+    } catch (const DefinitionError& error) {
+        return error.pointer() + ": " + error.what();
+    }
+}
+
+TEST(Task, StagesStandBeforeStepsThatAreThere) {
+    const Task task = load_task("suture_run");
+    ASSERT_EQ(task.stages.size(), 2U);
+    EXPECT_EQ(task.stages[0].before_step, 5);
+    EXPECT_EQ(task.stages[1].before_step, 10);
+    EXPECT_EQ(task.stages[0].title.in("en"), "bite 2");
+    EXPECT_EQ(&stage_of(task, 2), &task.stages[1]);
+    for (const std::string& id : list_definitions("tasks")) {
+        const Task each = load_task(id);
+        for (const TaskStage& stage : each.stages) {
+            EXPECT_FALSE(stage.title.pl.empty()) << id;
+            // What a stage begins with is the first motion of something, and nothing held before.
+            const sim::PracticeKind kind =
+                each.steps.at(static_cast<size_t>(stage.before_step)).goal.kind;
+            EXPECT_TRUE(kind == sim::PracticeKind::kNeedleIn || kind == sim::PracticeKind::kGrasp)
+                << id << " " << stage.title.en;
+        }
+    }
+    const std::string title = ",\"title\":{\"en\":\"b\",\"pl\":\"b\"}}";
+    EXPECT_EQ(stage_refusal("[{\"before_step\":13" + title + "]"), "taken");
+    const std::string beyond = stage_refusal("[{\"before_step\":14" + title + "]");
+    EXPECT_NE(beyond.find("/stages/0/before_step: "), std::string::npos) << beyond;
+    EXPECT_NE(beyond.find("found 14; expected 1 to 13"), std::string::npos) << beyond;
+    const std::string falling =
+        stage_refusal("[{\"before_step\":5" + title + ",{\"before_step\":5" + title + "]");
+    EXPECT_NE(falling.find("/stages/1/before_step: "), std::string::npos) << falling;
+    EXPECT_NE(falling.find("found 5; expected 6 to 13"), std::string::npos) << falling;
+    for (const char* before : {"0", "-1", "2.5", "\"5\""})
+        EXPECT_NE(stage_refusal(std::string("[{\"before_step\":") + before + title + "]")
+                      .find("/stages/0/before_step"),
+                  std::string::npos)
+            << before;
+    EXPECT_NE(stage_refusal("[]").find("/stages"), std::string::npos);
+    EXPECT_NE(stage_refusal("[{\"before_step\":5}]").find("title"), std::string::npos);
+}
+
+TEST(Task, AStageThatIsNotThereIsNamedWithThoseThatAre) {
+    try {
+        (void)stage_of(load_task("suture_run"), 3);
+        ADD_FAILURE() << "there is no third one";
+    } catch (const DefinitionError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("has no stage 3"), std::string::npos) << text;
+        EXPECT_NE(text.find("0 (the beginning), 1 (bite 2), 2 (bite 3)"), std::string::npos)
+            << text;
+    }
+    EXPECT_THROW((void)stage_of(load_task("diathermy_ring"), 1), DefinitionError);
+    EXPECT_THROW((void)stage_of(load_task("suture_run"), 0), DefinitionError);
+}
+
+TEST(Task, StepsOfSomeDevicesOnlyGoWithNoStages) {
+    std::string text = load_task("suture_run").json;
+    const std::string kind = "\"kind\":\"needle_in\",";
+    const size_t at = text.find(kind);
+    ASSERT_NE(at, std::string::npos);
+    text.insert(at + kind.size(), "\"devices\":[\"mouse\"],");
+    try {
+        (void)load_task_text(text, "test");
+        ADD_FAILURE() << "was accepted";
+    } catch (const DefinitionError& error) {
+        EXPECT_EQ(error.pointer(), "/stages");
+    }
+}
+
 TEST(Task, WhatIsMissingOrUnknownIsNamed) {
     expect_refused("task_without_rubric", "/", {"key \"rubric\" is missing"});
     expect_refused("task_title_is_text", "/title", {"found \"Ring\"", "an object"});
