@@ -52,6 +52,10 @@ int PracticeTracker::bite() const noexcept {
     return std::max(0, begun - 1);
 }
 
+void PracticeTracker::begin_at(int step) noexcept {
+    first_ = index_ = std::clamp(step, 0, count());
+}
+
 const sim::PracticeStep& PracticeTracker::step() const noexcept {
     static const sim::PracticeStep none;
     return done() ? none : steps_[static_cast<size_t>(index_)];
@@ -109,7 +113,7 @@ std::span<const sim::Event> PracticeTracker::see(const PracticeSight& sight) noe
     event_count_ = 0;
     now_s_ = sight.sample.time_s;
     if (!started_) {
-        emit(sim::EventKind::kPracticeSteps, count(), 0, -1, sim::Vec3::Zero());
+        emit(sim::EventKind::kPracticeSteps, count() - first_, 0, -1, sim::Vec3::Zero());
         started_ = true;
         began_s_ = now_s_;
     }

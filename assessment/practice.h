@@ -86,6 +86,9 @@ class PracticeTracker {
     PracticeTracker(std::span<const sim::PracticeStep> steps, std::span<const sim::ToolSpec> tools,
                     const sim::FieldGeometry& geometry);
 
+    /// The steps before `step` were given: only this one and those behind it are asked for.
+    /// @pre nothing was seen yet.
+    void begin_at(int step) noexcept;
     /// One sample later. Returns the events that it brought (valid until the next call).
     [[nodiscard]] std::span<const sim::Event> see(const PracticeSight& sight) noexcept;
     /// The end of the attempt: what was going on is written down.
@@ -131,7 +134,7 @@ class PracticeTracker {
     std::vector<sim::ToolSpec> tools_;
     std::vector<ClosedContour> contour_;  // empty or one
     double dt_ = 0.01;
-    int index_ = 0;
+    int index_ = 0, first_ = 0;
     double progress_ = 0, began_s_ = 0, now_s_ = 0, amount_ = 0, held_s_ = 0, enough_s_ = 0,
            peak_n_ = 0;
     bool started_ = false, has_last_ = false, touched_ = false, open_ = false;

@@ -112,6 +112,14 @@ void add_tuned(const sim::Recording& recording, std::vector<Reason>& reasons) {
     }
 }
 
+/// Nobody is judged by what was given to them.
+Reason given_reason(int stage) {
+    ReasonMeaning meaning;
+    meaning.pattern = "Not scored: begun at stage {value}, what came before was given.";
+    meaning.value = stage;
+    return make_reason(std::string(kGivenItem), std::move(meaning), 0, -1, false);
+}
+
 }  // namespace
 
 const char* verdict_name(Verdict verdict) noexcept {
@@ -133,6 +141,10 @@ Score score_attempt(const Rubric& rubric, const MetricSet& metrics,
     score.rubric_id = rubric.id;
     score.rubric_version = rubric.version;
     score.metric_set_version = metrics.version;
+    if (recording.header.stage != 0) {
+        score.reasons.push_back(given_reason(recording.header.stage));
+        return score;
+    }
     std::vector<Reason> tuned;
     add_tuned(recording, tuned);
     if (tuned.empty() && !attempted(rubric, metrics)) {

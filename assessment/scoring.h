@@ -55,6 +55,9 @@ inline constexpr std::string_view kNotAttemptedItem = "not_attempted";
 inline constexpr const char* kNotMeasuredPattern =
     "It could not be measured and counts in full: {metric}.";
 
+/// RubricItem::id of the one reason of an attempt that began at a stage: it has no points.
+inline constexpr std::string_view kGivenItem = "given";
+
 struct Score {
     double points = 0;
     Verdict verdict = Verdict::kNotYet;
@@ -68,7 +71,8 @@ struct Score {
 
 /// Pure function of the three. A metric that the rubric asks for and the recording lacks never
 /// helps: where an older program did not record it (see not_recorded()) the line takes nothing and
-/// the attempt cannot pass; where there was nothing to measure, the line costs its most.
+/// the attempt cannot pass; where there was nothing to measure, the line costs its most. An attempt
+/// that began at a stage has no points: a rubric weighs the whole of a task.
 [[nodiscard]] Score score_attempt(const Rubric& rubric, const MetricSet& metrics,
                                   const sim::Recording& recording);
 

@@ -93,10 +93,10 @@ bool hand_is_somewhere(const sim::ToolInput& tool) {
            all_within(std::array{tool.jaw_rad}, 10);
 }
 
-Problem input_problem(const Recording& r) {
+Problem input_problem(const Recording& r, const std::vector<sim::Input>& inputs) {
     const auto tools = static_cast<int32_t>(r.header.tools.size());
     int64_t before = -1;
-    for (const sim::Input& input : r.inputs) {
+    for (const sim::Input& input : inputs) {
         if (input.frame != before + 1)
             return Said::that("the input of frame %1 follows that of frame %2")
                 .with(input.frame)
@@ -117,6 +117,23 @@ Problem input_problem(const Recording& r) {
                 .with(input.frame);
     }
     return {};
+}
+
+/// What was given is told in the head, whole, and made of hands like all others.
+Problem given_problem(const Recording& r) {
+    const sim::RecordingHeader& head = r.header;
+    if (head.stage < 0 || head.stage > sim::kMostStages)
+        return Said::that("stage is %1, expected 0 to %2").with(head.stage).with(sim::kMostStages);
+    const bool told = head.stage > 0;
+    if (told != !r.given.empty() || count(r.given) != head.given_frames)
+        return Said::that("%1 inputs were given, its head says %2")
+            .with(count(r.given))
+            .with(head.given_frames);
+    if (static_cast<double>(r.given.size()) * head.frame_s > kLongestRecordingS)
+        return Said::that("%1 inputs were given, more than %2 s")
+            .with(count(r.given))
+            .with(number(kLongestRecordingS));
+    return input_problem(r, r.given);
 }
 
 Problem sample_values(const sim::Sample& sample, size_t tools) {
@@ -281,7 +298,8 @@ Problem event_problem(const Recording& r) {
 std::optional<Said> unsound(const Recording& recording) {
     for (const auto& problem :
          {head_problem, +[](const Recording& r) { return field_problem(r.header.geometry); },
-          input_problem, sample_problem, event_problem})
+          given_problem, +[](const Recording& r) { return input_problem(r, r.inputs); },
+          sample_problem, event_problem})
         if (Problem found = problem(recording)) return found;
     return {};
 }

@@ -156,6 +156,7 @@ void write_recording(const sim::Recording& recording, const fs::path& path) {
     {
         const auto sink = db::create_recording_file(part.string());
         sink->begin(recording.header);
+        if (!recording.given.empty()) sink->give(recording.given);
         sink->append(recording.inputs, recording.samples, recording.events);
         sink->finish(recording.end);
     }

@@ -56,6 +56,11 @@ AttemptFrames::AttemptFrames(const Task& task, const std::vector<TaskStep>& step
       practice_(steps, scene, settled),
       used_substeps_(settled.substeps) {}
 
+void AttemptFrames::begin_at(int step, const sim::State& state) noexcept {
+    practice_.begin_at(step, state);
+    used_substeps_ = state.substeps;
+}
+
 void AttemptFrames::begin(AttemptBook& book) const noexcept {
     if (!preset_) return;
     sim::Event event;

@@ -35,10 +35,13 @@ class AttemptBook {
 /// One thread; within a frame it neither locks, allocates nor throws.
 class AttemptFrames {
  public:
-    /// `settled` is the state that the attempt begins with; `scene` must outlive this.
+    /// `settled` is the state that the attempt begins with, or its given part; `scene` must outlive
+    /// this.
     AttemptFrames(const Task& task, const std::vector<TaskStep>& steps, const sim::Scene& scene,
                   const sim::State& settled, double time_limit_s);
 
+    /// The attempt begins with `state` and this step, what came before was given.
+    void begin_at(int step, const sim::State& state) noexcept;
     /// Before the first frame.
     void begin(AttemptBook& book) const noexcept;
     /// One frame: writes its input and simulates it.

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <thread>
 
+#include "curriculum/stage_start.h"
 #include "haptics/real_time.h"
+#include "sim/world/saved_state.h"
 
 namespace placode::curriculum {
 
@@ -44,6 +46,10 @@ AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
       frames_(task, options.steps, *scene_, settled(*scene_, state_, task.settle_s),
               limit_of(task, options.duration_s)),
       sleep_(asleep_ns_()) {
+    if (options.start) {
+        sim::load_state(*scene_, state_, options.start->state);
+        frames_.begin_at(stage_of(task, options.start->stage).before_step, state_);
+    }
     waiting_ = options.wait_for_motion && !fast_ && !lock_step_;
     // All three slots get their memory here, not in the loop; the first picture is the settled one.
     for (int i = 0; i < 3; ++i) {

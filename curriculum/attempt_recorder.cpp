@@ -5,6 +5,8 @@
 #include <chrono>
 #include <exception>
 
+#include "curriculum/stage_start.h"
+
 namespace placode::curriculum {
 
 namespace {
@@ -25,9 +27,11 @@ void take_all(sim::Ring<T>& ring, std::vector<T>& block) {
 }  // namespace
 
 AttemptRecorder::AttemptRecorder(std::unique_ptr<sim::RecordingSink> sink,
-                                 sim::RecordingHeader header)
+                                 sim::RecordingHeader header,
+                                 std::shared_ptr<const StageStart> start)
     : sink_(std::move(sink)),
       header_(std::move(header)),
+      start_(std::move(start)),
       discard_(sink_ == nullptr),
       inputs_(kInputs),
       samples_(kSamples),
@@ -86,6 +90,8 @@ void AttemptRecorder::run() {
     // The only place where a sink's exception is caught: the attempt goes on without it.
     try {
         sink_->begin(header_);
+        if (start_) sink_->give(start_->given);
+        start_.reset();
         auto committed = std::chrono::steady_clock::now();
         while (!stop_.load(std::memory_order_acquire)) {
             std::this_thread::sleep_for(kPoll);

@@ -16,10 +16,14 @@
 
 namespace placode::curriculum {
 
+struct StageStart;  // stage_start.h
+
 class AttemptRecorder {
  public:
     /// `sink` may be null: everything put in is thrown away.
-    AttemptRecorder(std::unique_ptr<sim::RecordingSink> sink, sim::RecordingHeader header);
+    /// `start`: what was given, which is recorded first; null = nothing.
+    AttemptRecorder(std::unique_ptr<sim::RecordingSink> sink, sim::RecordingHeader header,
+                    std::shared_ptr<const StageStart> start = {});
     ~AttemptRecorder();
 
     /// Starts the thread, which calls sink->begin first.
@@ -46,6 +50,7 @@ class AttemptRecorder {
 
     std::unique_ptr<sim::RecordingSink> sink_;
     sim::RecordingHeader header_;
+    std::shared_ptr<const StageStart> start_;
     sim::RecordingEnd end_;
     std::thread thread_;
     std::atomic<bool> discard_;  // recorder writes, physics reads

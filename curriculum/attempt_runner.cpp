@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "curriculum/attempt_loop.h"
+#include "curriculum/stage_start.h"
 #include "haptics/catalogue/open_device.h"
 
 #ifndef PLACODE_VERSION
@@ -33,6 +34,11 @@ sim::RecordingHeader recording_header(const Task& task, uint64_t seed,
     header.frame_s = task.scene.solver.frame_s;
     header.tools = scene.tools;
     header.geometry = scene.geometry;
+    if (options.start) {
+        header.stage = options.start->stage;
+        header.given_frames = static_cast<int64_t>(options.start->given.size());
+        header.given_hash = options.start->hash;
+    }
     return header;
 }
 
@@ -72,6 +78,9 @@ AttemptRunner::AttemptRunner(Task task, uint64_t seed, AttemptOptions options,
     : impl_(std::make_unique<Impl>()) {
     task.scene.seed = seed;
     options.steps = steps_for(task, options.device);
+    if (options.start && options.mode != AttemptMode::kPractice)
+        throw DefinitionError("task " + task.id, "/stages",
+                              "an exam or a study begins with the beginning");
     // The device first: the usual mistake is a device that is not there, and it is cheap to find.
     std::unique_ptr<haptics::Servo> servo = open_servo(task, seed, options);
     // What a hand with force feels is the coupling's spring on the gap between hand and tool: with
@@ -84,7 +93,7 @@ AttemptRunner::AttemptRunner(Task task, uint64_t seed, AttemptOptions options,
     impl_->shown = sim::build_operative_field(task.scene);
     impl_->scene = std::const_pointer_cast<sim::Scene>(impl_->shown);
     impl_->recorder = std::make_unique<AttemptRecorder>(
-        std::move(sink), recording_header(task, seed, options, *impl_->scene));
+        std::move(sink), recording_header(task, seed, options, *impl_->scene), options.start);
     impl_->loop = std::make_unique<AttemptLoop>(task, options, impl_->scene, std::move(servo),
                                                 *impl_->recorder);
     impl_->task = std::move(task);

@@ -17,6 +17,8 @@
 
 namespace placode::curriculum {
 
+struct StageStart;  // stage_start.h
+
 struct AttemptOptions {
     std::string device = "mouse";  ///< As on the command line; "play:FILE" is handled by replay().
     int threads = 2;
@@ -31,6 +33,9 @@ struct AttemptOptions {
     /// As haptics::asleep_ns(); a test brings its own. Any thread.
     int64_t (*asleep_ns)() noexcept = haptics::asleep_ns;
     std::vector<TaskStep> steps;  ///< Filled by the runner: what the device can do of the task's.
+    /// What the attempt begins with, of the same task and seed; null = with the beginning. Only in
+    /// practice.
+    std::shared_ptr<const StageStart> start;
 };
 
 struct AttemptStatus {
@@ -62,7 +67,8 @@ struct AttemptStatus {
 /// Runs one attempt on its own physics and recorder threads (or on the caller's in `run_fast`).
 class AttemptRunner {
  public:
-    /// Throws DeviceError or MeshError. `sink` may be null (nothing is recorded).
+    /// Throws DeviceError or MeshError, and for a start that does not fit StateError,
+    /// DefinitionError. `sink` may be null (nothing is recorded).
     AttemptRunner(Task task, uint64_t seed, AttemptOptions options,
                   std::unique_ptr<sim::RecordingSink> sink);
     ~AttemptRunner();

@@ -137,6 +137,12 @@ PracticeGuide::PracticeGuide(const std::vector<TaskStep>& steps, const sim::Scen
     look(settled);
 }
 
+void PracticeGuide::begin_at(int step, const sim::State& state) noexcept {
+    if (!tracker_) return;
+    tracker_->begin_at(step);
+    look(state);
+}
+
 void PracticeGuide::look(const sim::State& state) noexcept {
     goal_.index = tracker_->index();
     goal_.step = tracker_->step();

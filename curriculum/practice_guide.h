@@ -28,6 +28,10 @@ class PracticeGuide {
     /// A copy goes on in another scene that was built from the same task.
     void look_into(const sim::Scene& scene) noexcept { scene_ = &scene; }
 
+    /// The steps before this one were given; `state` is the one that the attempt begins with.
+    /// Targets stay those of the settled state. @pre nothing was seen yet.
+    void begin_at(int step, const sim::State& state) noexcept;
+
     [[nodiscard]] bool done() const noexcept { return tracker_ && tracker_->done(); }
     /// count == 0: the task has no steps.
     [[nodiscard]] const sim::PracticeGoal& goal() const noexcept { return goal_; }

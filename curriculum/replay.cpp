@@ -30,8 +30,7 @@ std::string hex(uint64_t value) {
 }
 
 /// A hand with force holds its tools as its device does, not as the task says.
-void restore_grips(const sim::RecordingHeader& header, Task& task) {
-    std::vector<sim::ToolSpec>& tools = task.scene.tools;
+void restore_grips(const sim::RecordingHeader& header, std::vector<sim::ToolSpec>& tools) {
     for (size_t i = 0; i < std::min(tools.size(), header.tools.size()); ++i)
         tools[i].hand_n_m = header.tools[i].hand_n_m;
 }
@@ -65,26 +64,29 @@ size_t KeyFrames::bytes() const {
     return sum;
 }
 
-Replay::Replay(const sim::Recording& recording, int threads, size_t key_frame_bytes)
-    : Replay(recording, std::nullopt, threads, key_frame_bytes) {}
+Replay::Replay(const sim::Recording& recording, int threads, size_t key_frame_bytes,
+               const GivenPart& given)
+    : Replay(recording, std::nullopt, threads, key_frame_bytes, given) {}
 
 Replay::Replay(const sim::Recording& recording, Task task, int threads)
-    : Replay(recording, std::optional(std::move(task)), threads, 0) {}
+    : Replay(recording, std::optional(std::move(task)), threads, 0, {}) {}
 
 Replay::Replay(const sim::Recording& recording, std::optional<Task> task, int threads,
-               size_t key_frame_bytes)
+               size_t key_frame_bytes, const GivenPart& given)
     : recording_(recording), task_(std::move(task)), threads_(threads), keys_(key_frame_bytes) {
     for (const sim::Event& event : recording.events) {
         if (event.kind == sim::EventKind::kStateHash) hashes_.push_back(event);
         if (event.kind == sim::EventKind::kTuned) tunings_.push_back(event);
     }
-    build();
+    build(given);
 }
 
-void Replay::build() {
+void Replay::build(const GivenPart& given) {
     Task task = task_ ? *task_ : load_task_text(recording_.header.task_json, "recording");
     task.scene.seed = recording_.header.seed;
-    restore_grips(recording_.header, task);
+    // What was given was a script's, which holds its tools as the task says.
+    const bool at_stage = recording_.header.stage > 0;
+    if (!at_stage) restore_grips(recording_.header, task.scene.tools);
     frame_s_ = task.scene.solver.frame_s;
     // This scene is ours alone: tunings of the attempt are done again.
     scene_ = std::const_pointer_cast<sim::Scene>(sim::build_operative_field(task.scene));
@@ -92,9 +94,53 @@ void Replay::build() {
     sim::settle(*scene_, *state_, task.settle_s);
     if (!task_)
         practice_ = PracticeGuide(steps_for(task, recording_.header.device), *scene_, *state_);
+    if (at_stage) begin_at_stage(task, given);
     frames_per_sample_ =
         std::max<int64_t>(1, std::llround(sim::RecordingHeader{}.sample_s / frame_s_));
     next_hash_ = next_tuning_ = 0;
+}
+
+/// A known state is taken where it is the recorded one: it is read as of this scene only, and may
+/// be of any other.
+bool Replay::take_given_state(const GivenPart& given) {
+    if (given.state == nullptr) return false;
+    try {
+        sim::State known(*scene_, threads_);
+        sim::load_state(*scene_, known, *given.state);
+        if (sim::whole_hash(known) != recording_.header.given_hash) return false;
+    } catch (const sim::StateError&) {
+        return false;
+    }
+    start_ = *given.state;
+    return true;
+}
+
+/// From the settled state to the one that the attempt began with.
+void Replay::begin_at_stage(const Task& task, const GivenPart& given) {
+    const auto stage = static_cast<size_t>(recording_.header.stage);
+    const double longest_s = limit_of(task, 0) + kLongestWayBackS;
+    if (stage > task.stages.size() ||
+        static_cast<double>(recording_.given.size()) * frame_s_ > longest_s) {
+        result_.first_difference_s = 0;
+        result_.message =
+            "replay: the task has no stage " + std::to_string(stage) + " that begins like this";
+        differs_ = true;
+        return;
+    }
+    if (!start_.empty() || take_given_state(given)) {
+        sim::load_state(*scene_, *state_, start_);
+    } else {
+        simulate_given(*scene_, *state_, recording_.given, given.told);
+        start_ = sim::save_state(*scene_, *state_);
+    }
+    if (sim::whole_hash(*state_) != recording_.header.given_hash) {
+        result_.first_difference_s = 0;
+        result_.message = "replay: what was given before stage " + std::to_string(stage) +
+                          " ends in another state";
+        differs_ = true;
+    }
+    restore_grips(recording_.header, scene_->tools);
+    practice_.begin_at(task.stages[stage - 1].before_step, *state_);
 }
 
 /// What was tuned before the present frame.
@@ -154,7 +200,7 @@ void Replay::follow_practice(std::span<const sim::ToolInput> hands) {
 void Replay::back_to(double time_s) {
     const std::vector<uint8_t>* kept = keys_.before(time_s);
     // A scene that was tuned cannot be untuned: it is built again.
-    if (kept == nullptr || next_tuning_ > 0) build();
+    if (kept == nullptr || next_tuning_ > 0) build({});
     if (kept == nullptr) return;
     sim::load_state(*scene_, *state_, *kept);
     // The scene as it was tuned then; what that changed in the state is saved with it.

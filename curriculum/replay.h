@@ -11,6 +11,7 @@
 
 #include "curriculum/attempt_runner.h"
 #include "curriculum/practice_guide.h"
+#include "curriculum/stage_start.h"
 #include "sim/step/step.h"
 
 namespace placode::curriculum {
@@ -40,11 +41,22 @@ class KeyFrames {
     std::vector<Kept> kept_;  // rising
 };
 
+/// How a replay comes to the state that an attempt from a stage began with.
+struct GivenPart {
+    /// That state, where it is known here (save_state()); null: it is simulated. One that does not
+    /// have the recorded hash is not used.
+    const std::vector<uint8_t>* state = nullptr;
+    /// Told how far it is simulated; may throw, which ends the replay's making.
+    GivenTold told;
+};
+
 class Replay {
  public:
     /// @param key_frame_bytes memory for moments to go back to; 0 = back means from the beginning.
+    /// An attempt from a stage begins with simulating what was given (`given`).
     /// @throws DefinitionError when the recording's task cannot be built any more.
-    Replay(const sim::Recording& recording, int threads, size_t key_frame_bytes = 0);
+    Replay(const sim::Recording& recording, int threads, size_t key_frame_bytes = 0,
+           const GivenPart& given = {});
     /// By this task instead of the one that the recording carries. Does not follow practice():
     /// whoever asks so has an AttemptFrames.
     Replay(const sim::Recording& recording, Task task, int threads);
@@ -67,9 +79,11 @@ class Replay {
 
  private:
     Replay(const sim::Recording& recording, std::optional<Task> task, int threads,
-           size_t key_frame_bytes);
+           size_t key_frame_bytes, const GivenPart& given);
 
-    void build();
+    void build(const GivenPart& given);
+    void begin_at_stage(const Task& task, const GivenPart& given);
+    [[nodiscard]] bool take_given_state(const GivenPart& given);
     void tune();
     bool compare();
     void follow_practice(std::span<const sim::ToolInput> hands);
@@ -80,6 +94,7 @@ class Replay {
     std::shared_ptr<sim::Scene> scene_;
     std::unique_ptr<sim::State> state_;
     KeyFrames keys_;
+    std::vector<uint8_t> start_;  // of an attempt from a stage: the state that it began with
     PracticeGuide practice_;
     std::vector<std::pair<double, PracticeGuide>> practice_kept_;  // beside the key frames
     int64_t frames_per_sample_ = 10;

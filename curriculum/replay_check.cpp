@@ -64,6 +64,23 @@ bool same(const sim::ToolSpec& a, const sim::ToolSpec& b) {
            a.jaw_force_n == b.jaw_force_n && a.jaw_friction == b.jaw_friction;
 }
 
+/// Steps, samples and events as the attempt had them. Their marks were looked for in the settled
+/// state, also where another one was given.
+AttemptFrames frames_of(const sim::Recording& recording, const Task& published,
+                        const Replay& replay, int threads) {
+    const std::vector<TaskStep> steps = steps_for(published, recording.header.device);
+    const double limit_s = recording.end.duration_s;
+    const auto stage = static_cast<size_t>(std::max(0, recording.header.stage));
+    // Of a stage that the task does not have the replay says so.
+    if (stage == 0 || stage > published.stages.size())
+        return {published, steps, replay.scene(), replay.state(), limit_s};
+    sim::State settled(replay.scene(), threads);
+    sim::settle(replay.scene(), settled, published.settle_s);
+    AttemptFrames frames(published, steps, replay.scene(), settled, limit_s);
+    frames.begin_at(published.stages[stage - 1].before_step, replay.state());
+    return frames;
+}
+
 }  // namespace
 
 /// What the attempt writes down again, held against what it wrote down then.
@@ -71,8 +88,7 @@ struct ReplayCheck::Impl final : AttemptBook {
     Impl(const sim::Recording& recorded, const Task& published, int threads)
         : recording(recorded),
           replay(recording, published, threads),
-          frames(published, steps_for(published, recording.header.device), replay.scene(),
-                 replay.state(), recording.end.duration_s),
+          frames(frames_of(recording, published, replay, threads)),
           tools(replay.scene().tools.size()) {
         for (const Event& event : recording.events)
             if (!of_the_clock(event.kind)) events.push_back(&event);

@@ -31,6 +31,11 @@ inline constexpr size_t kMostChunkBytes = size_t{64} << 20, kMostRecordingBytes 
 /// At most three are written in a quarter of a second: ten hours of them.
 inline constexpr int64_t kMostChunks = 500'000;
 
+/// Frames before a stage: two hours of them, in the chunks "given".
+inline constexpr int64_t kMostGivenFrames = 7'200'000;
+/// Of them in one chunk, some 10 MB before they are packed.
+inline constexpr size_t kGivenInChunk = 60'000;
+
 [[nodiscard]] Bytes encode_chunk(std::span<const sim::Input> records);
 [[nodiscard]] Bytes encode_chunk(std::span<const sim::Sample> records);
 [[nodiscard]] Bytes encode_chunk(std::span<const sim::Event> records);

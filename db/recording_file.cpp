@@ -51,6 +51,7 @@ class FileReader {
         result.recording.header = read_header();
         check_sizes();
         result.damage = read_chunks(result.recording);
+        if (result.damage.empty()) result.damage = given_damage(result.recording);
         if (result.damage.empty()) result.damage = read_end(result.recording);
         finish(result.recording);
         if (!result.damage.empty())
@@ -219,6 +220,7 @@ class FileReader {
             }
             return {};
         };
+        if (kind == "given") return into(recording.given);
         if (kind == "inputs") return into(recording.inputs);
         if (kind == "samples") return into(recording.samples);
         if (kind == "events") return into(recording.events);
@@ -232,6 +234,14 @@ class FileReader {
             return std::string("the end: ") + error.what();
         }
         return {};
+    }
+
+    /// Without all of what was given nothing of the attempt can be simulated again.
+    static std::string given_damage(const sim::Recording& recording) {
+        const auto found = static_cast<int64_t>(recording.given.size());
+        if (found == recording.header.given_frames) return {};
+        return "what was given: " + std::to_string(found) + " inputs, the header says " +
+               std::to_string(recording.header.given_frames);
     }
 
     static double time_of(const sim::Recording& recording) {

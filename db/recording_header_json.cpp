@@ -74,6 +74,7 @@ class Reader {
         if (!value.isArray()) damaged(key, "a list");
         return value.toArray();
     }
+    [[nodiscard]] bool has(const char* key) const { return object_.contains(QLatin1String(key)); }
     [[nodiscard]] Reader object(const char* key) const {
         const QJsonValue value = object_[QLatin1String(key)];
         if (!value.isObject()) damaged(key, "an object");
@@ -143,6 +144,18 @@ sim::ToolSpec tool_from_json(const Reader& json) {
     return tool;
 }
 
+/// Since format 3, of an attempt that began at a stage.
+void read_given(const Reader& json, sim::RecordingHeader& header) {
+    const int64_t stage = json.whole("stage"), frames = json.whole("frames");
+    if (stage < 1 || stage > sim::kMostStages)
+        damaged("stage", "1 to " + std::to_string(sim::kMostStages));
+    if (frames < 1 || frames > kMostGivenFrames)
+        damaged("frames", "1 to " + std::to_string(kMostGivenFrames));
+    header.stage = static_cast<int>(stage);
+    header.given_frames = frames;
+    header.given_hash = json.big("hash");
+}
+
 Reader parse(const std::string& json) {
     const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(json));
     if (!document.isObject())
@@ -160,7 +173,7 @@ std::string header_to_json(const sim::RecordingHeader& header) {
     QJsonArray tools;
     for (const sim::ToolSpec& tool : header.tools) tools.append(tool_to_json(tool));
     const sim::FieldGeometry& geometry = header.geometry;
-    return compact(
+    QJsonObject json(
         {{"format", header.format},
          {"task_id", text_of(header.task_id)},
          {"task_version", header.task_version},
@@ -179,6 +192,11 @@ std::string header_to_json(const sim::RecordingHeader& header) {
                                   {"skin_edge_m", array_of(geometry.skin_edge)},
                                   {"target_depth_m", geometry.target_depth_m},
                                   {"placode_volume_m3", geometry.placode_volume_m3}}}});
+    if (header.stage != 0)
+        json["given"] = QJsonObject{{"stage", header.stage},
+                                    {"frames", static_cast<qint64>(header.given_frames)},
+                                    {"hash", QString::number(header.given_hash)}};
+    return compact(json);
 }
 
 sim::RecordingHeader header_from_json(const std::string& text) {
@@ -208,6 +226,7 @@ sim::RecordingHeader header_from_json(const std::string& text) {
     header.geometry.skin_edge = geometry.line("skin_edge_m");
     header.geometry.target_depth_m = geometry.number("target_depth_m");
     header.geometry.placode_volume_m3 = geometry.number("placode_volume_m3");
+    if (json.has("given")) read_given(json.object("given"), header);
     return header;
 }
 

@@ -90,6 +90,15 @@ class FileSink final : public sim::RecordingSink {
         began_ = true;
     }
 
+    void give(std::span<const sim::Input> given) override {
+        transact([&] {
+            int64_t written = 0;
+            for (size_t at = 0; at < given.size(); at += kGivenInChunk)
+                put_chunk("given", given.subspan(at, std::min(kGivenInChunk, given.size() - at)),
+                          written);
+        });
+    }
+
     void append(std::span<const sim::Input> inputs, std::span<const sim::Sample> samples,
                 std::span<const sim::Event> events) override {
         if (inputs.empty() && samples.empty() && events.empty()) return;

@@ -121,6 +121,7 @@ class TaskFile {
     static void keep(const sim::Recording& recording, const fs::path& path) {
         const auto sink = db::create_recording_file(path.string());
         sink->begin(recording.header);
+        if (!recording.given.empty()) sink->give(recording.given);
         sink->append(recording.inputs, recording.samples, recording.events);
         sink->finish(recording.end);
     }

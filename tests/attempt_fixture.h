@@ -20,6 +20,9 @@ class MemorySink final : public sim::RecordingSink {
  public:
     explicit MemorySink(std::shared_ptr<sim::Recording> to) : to_(std::move(to)) {}
     void begin(const sim::RecordingHeader& header) override { to_->header = header; }
+    void give(std::span<const sim::Input> given) override {
+        to_->given.assign(given.begin(), given.end());
+    }
     void append(std::span<const sim::Input> inputs, std::span<const sim::Sample> samples,
                 std::span<const sim::Event> events) override {
         to_->inputs.insert(to_->inputs.end(), inputs.begin(), inputs.end());

@@ -189,6 +189,78 @@ TEST(RecordingFile, GivesBackEveryBit) {
     EXPECT_EQ(read.end.dropped, 2);
 }
 
+/// What was given, in more than one chunk.
+void write_staged(const std::string& path, sim::RecordingHeader header) {
+    const auto sink = db::create_recording_file(path);
+    sink->begin(header);
+    sink->give(make_inputs(0, 70'000));
+    append_half_second(*sink, 0);
+    sink->finish({sim::EndReason::kFinished, 0.5, 1, 0});
+}
+
+sim::RecordingHeader staged_header() {
+    sim::RecordingHeader header = make_header();
+    header.stage = 2;
+    header.given_frames = 70'000;
+    header.given_hash = ~uint64_t{0} - 5;
+    return header;
+}
+
+TEST(RecordingFile, KeepsWhatWasGivenBeforeAStage) {
+    const Folder folder;
+    const std::string path = folder.file("a.placode"), plain = folder.file("b.placode");
+    write_staged(path, staged_header());
+    const sim::Recording read = db::read_recording_file(path);
+    EXPECT_EQ(read.header.stage, 2);
+    EXPECT_EQ(read.header.given_frames, 70'000);
+    EXPECT_EQ(read.header.given_hash, ~uint64_t{0} - 5);
+    const auto given = make_inputs(0, 70'000);
+    ASSERT_EQ(read.given.size(), given.size());
+    for (size_t i = 0; i < given.size(); i += 997)
+        ASSERT_TRUE(read.given[i].frame == given[i].frame &&
+                    same_bits(read.given[i].tools[0], given[i].tools[0]))
+            << i;
+    EXPECT_EQ(read.inputs.size(), 500U);
+    EXPECT_EQ(db::recording_summary(path).header.stage, 2);
+    EXPECT_DOUBLE_EQ(db::recording_summary(path).end.duration_s, 0.5) << "its own part";
+    write_recording(plain, 1);
+    EXPECT_EQ(db::read_recording_file(plain).header.stage, 0);
+    EXPECT_TRUE(db::read_recording_file(plain).given.empty());
+}
+
+TEST(RecordingFile, WhatWasGivenIsWholeAndToldInTheHeader) {
+    const Folder folder;
+    const std::string less = folder.file("less.placode"), silent = folder.file("silent.placode"),
+                      gone = folder.file("gone.placode");
+    sim::RecordingHeader header = staged_header();
+    header.given_frames = 70'001;
+    write_staged(less, header);
+    EXPECT_TRUE(contains(failure_of(less).second, "70000 inputs, the header says 70001"))
+        << failure_of(less).second;
+    write_staged(silent, make_header());
+    EXPECT_TRUE(contains(failure_of(silent).second, "70000 inputs, the header says 0"))
+        << failure_of(silent).second;
+    write_staged(gone, staged_header());
+    execute(gone, "DELETE FROM chunks WHERE kind = 'given'");
+    EXPECT_EQ(failure_of(gone).first, db::StoreError::Kind::kDamaged);
+}
+
+TEST(RecordingFile, AStageThatCannotBeIsRefused) {
+    const Folder folder;
+    int at = 0;
+    for (const auto& [stage, frames] :
+         {std::pair<int, int64_t>{-1, 10}, {9, 10}, {1, 0}, {1, -5}, {1, int64_t{1} << 40}}) {
+        sim::RecordingHeader header = make_header();
+        header.stage = stage;
+        header.given_frames = frames;
+        const std::string path = folder.file(std::to_string(at++) + ".placode");
+        db::create_recording_file(path)->begin(header);
+        EXPECT_EQ(failure_of(path).first, db::StoreError::Kind::kDamaged) << stage << " " << frames;
+        EXPECT_TRUE(contains(failure_of(path).second, stage == 1 ? "\"frames\"" : "\"stage\""))
+            << failure_of(path).second;
+    }
+}
+
 TEST(RecordingFile, KeepsTheHapticCertificateOfItsAttempt) {
     const Folder folder;
     const std::string path = folder.file("a.placode");

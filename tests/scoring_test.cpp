@@ -48,6 +48,25 @@ TEST(Scoring, NothingWrongLeavesAllPoints) {
     EXPECT_TRUE(score.reasons.empty());
 }
 
+TEST(Scoring, WhatBeganAtAStageHasNoPoints) {
+    Rubric rubric;
+    rubric.id = "r";
+    rubric.version = 3;
+    rubric.items = {item("dwell", "dwell_s", "x")};
+    rubric.items[0].points_per_unit = 1;
+    sim::Recording recording;
+    recording.header.stage = 2;
+    const Score score = score_attempt(rubric, {1, {{"dwell_s", 0}}}, recording);
+    EXPECT_EQ(score.points, 0);
+    EXPECT_EQ(score.verdict, Verdict::kNotYet);
+    EXPECT_EQ(score.rubric_id, "r");
+    EXPECT_EQ(score.rubric_version, 3);
+    ASSERT_EQ(score.reasons.size(), 1U);
+    EXPECT_EQ(score.reasons[0].item, kGivenItem);
+    EXPECT_EQ(score.reasons[0].points, 0);
+    EXPECT_EQ(score.reasons[0].text, "Not scored: begun at stage 2, what came before was given.");
+}
+
 TEST(Scoring, AReasonNamesValuePlaceAndTime) {
     Rubric rubric;
     rubric.id = "r";

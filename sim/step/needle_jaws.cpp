@@ -172,7 +172,8 @@ void place_in_jaws(const Scene& scene, State& state) noexcept {
         if (scene.tools[t].kind != ToolKind::kNeedleDriver || state.tools[t].engaged == 0) continue;
         s.needle[0].needle = state.tools[t].proxy * scene.needle_start.X_TN;
         s.needle[0].needle.q.normalize();
-        s.placed = s.locked = 1;
+        s.placed = 1;
+        s.locked = kLockedUntilClosed;
         begin_hold(scene, state, static_cast<int>(t), scene.needle_start.held_arc_m);
         return;
     }
@@ -193,8 +194,10 @@ void update_needle_jaws(const Scene& scene, State& state, double dt) noexcept {
         const float jaw = std::isfinite(tool.jaw_rad) ? std::max(0.0F, tool.jaw_rad) : jaws.jaw_rad;
         const bool closed = jaw <= meet, open = jaw > kLetGo * meet;
         if (s.driver == t) {
-            if (closed) s.locked = 0;
-            if (tool.engaged == 0 || (open && s.locked == 0)) {
+            const bool awaits = s.locked == kLockedUntilEngaged && tool.engaged == 0;
+            if (!awaits && s.locked == kLockedUntilEngaged) s.locked = kLockedUntilClosed;
+            if (closed && !awaits) s.locked = 0;
+            if (!awaits && (tool.engaged == 0 || (open && s.locked == 0))) {
                 let_go_needle(needle);
                 end_hold(state);
             } else {

@@ -15,7 +15,10 @@
 
 namespace placode::sim {
 
-inline constexpr int kRecordingFormat = 2;  ///< 2: a fourth tool, jaws. 1 is still read.
+/// 2: a fourth tool, jaws. 3: a part that was given. 1 and 2 are still read.
+inline constexpr int kRecordingFormat = 3;
+/// Stages that a task may offer.
+inline constexpr int kMostStages = 8;
 
 /// Inputs of one frame. Trivially copyable, no padding that matters.
 struct Input {
@@ -65,6 +68,11 @@ struct RecordingHeader {
     double sample_s = 0.01;
     std::vector<ToolSpec> tools;
     FieldGeometry geometry;
+    /// What it began with: 0 = the field as the task has it, k = the task's stage k, counted from
+    /// 1. What comes before a stage is given: a script did it.
+    int stage = 0;
+    int64_t given_frames = 0;  ///< Of Recording::given.
+    uint64_t given_hash = 0;   ///< whole_hash() of the state that the attempt began with.
 };
 
 struct RecordingEnd {
@@ -76,6 +84,10 @@ struct RecordingEnd {
 
 struct Recording {
     RecordingHeader header;
+    /// Inputs of the part that was given, from the task's own beginning; what they lead to, and
+    /// begin_here(), is the state that the attempt began with. They are checked and simulated like
+    /// any others: bytes of a state, which nothing could check, are never taken from a file.
+    std::vector<Input> given;
     std::vector<Input> inputs;
     std::vector<Sample> samples;
     std::vector<Event> events;
@@ -88,6 +100,8 @@ class RecordingSink {
  public:
     virtual ~RecordingSink() = default;
     virtual void begin(const RecordingHeader& header) = 0;
+    /// Once, after begin(), where something was given.
+    virtual void give(std::span<const Input> /*given*/) {}
     virtual void append(std::span<const Input> inputs, std::span<const Sample> samples,
                         std::span<const Event> events) = 0;
     virtual void finish(const RecordingEnd& end) = 0;

@@ -26,13 +26,17 @@ void fields(Of<JawSlip> auto& s, Visit&& visit) {
     visit.state(so_far, peak, pause_s);
 }
 
+/// Suturing::locked of a needle that an attempt began with.
+inline constexpr uint8_t kLockedUntilClosed = 1;   ///< Jaws let go once they have closed on it.
+inline constexpr uint8_t kLockedUntilEngaged = 2;  ///< The same, when a hand has come.
+
 struct Suturing {
     explicit Suturing(const Scene& scene);
 
     std::vector<SutureState> needle;  ///< Empty or one.
     uint8_t placed = 0;               ///< The needle is in the field.
     int8_t driver = -1;               ///< Tool whose jaws hold it, -1 = none.
-    uint8_t locked = 0;               ///< As it began: the jaws let go once they have closed.
+    uint8_t locked = 0;               ///< As it began: see above; 0 = the jaws may let go.
     float held_s = 0, peak_n = 0;     ///< Since it was taken; peak of its pull on the jaws.
     JawSlip slide, turn;              ///< Along the wire, about the grip.
     int32_t taken = 0, entered = 0, left = 0, through = 0;  ///< So far.

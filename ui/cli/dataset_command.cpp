@@ -48,6 +48,9 @@ struct Chosen {
 /// Points as of now, by the program's own task where it has it, else by the recording's.
 reports::Demonstration judged(const std::string& file) {
     const sim::Recording recording = db::read_recording_file(file);
+    if (recording.header.stage > 0)
+        throw InputError(file + ": began at stage " + std::to_string(recording.header.stage) +
+                         " of its task; expected attempts from the beginning");
     const auto published = db::shipped_task(recording.header.task_id);
     const auto task =
         published ? *published : curriculum::load_task_text(recording.header.task_json, file);

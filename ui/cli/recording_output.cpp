@@ -34,6 +34,10 @@ Json recording_head(const sim::Recording& recording, const std::string& damage) 
               {"duration_s", recording.end.duration_s},
               {"end", kEnds[static_cast<size_t>(recording.end.reason) % kEnds.size()]},
               {"dropped", recording.end.dropped}};
+    if (recording.header.stage > 0)
+        json["given"] = {{"stage", recording.header.stage},
+                         {"seconds", static_cast<double>(recording.header.given_frames) *
+                                         recording.header.frame_s}};
     if (!damage.empty()) json["damage"] = damage;
     return json;
 }

@@ -291,6 +291,7 @@ namespace {
     QT_TRANSLATE_NOOP("Reason", "Not recorded, so this is no pass: {metric}."),
     QT_TRANSLATE_NOOP("Reason", "It could not be measured and counts in full: {metric}."),
     QT_TRANSLATE_NOOP("Reason", "Nothing was done: this attempt does not count."),
+    QT_TRANSLATE_NOOP("Reason", "Not scored: begun at stage {value}, what came before was given."),
 };
 
 [[maybe_unused]] const char* const kFigures[] = {

@@ -4898,6 +4898,10 @@
         <source>Nothing was done: this attempt does not count.</source>
         <translation>Nic nie zrobiono: ta próba się nie liczy.</translation>
     </message>
+    <message>
+        <source>Not scored: begun at stage {value}, what came before was given.</source>
+        <translation>Bez oceny: rozpoczęto od etapu {value}, to, co przedtem, było gotowe.</translation>
+    </message>
 </context>
 <context>
     <name>RecoveryPage</name>
@@ -11419,6 +11423,18 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>placode_volume_m3 is %1</source>
         <translation>placode_volume_m3 wynosi %1</translation>
+    </message>
+    <message>
+        <source>stage is %1, expected 0 to %2</source>
+        <translation>stage wynosi %1, oczekiwano od 0 do %2</translation>
+    </message>
+    <message>
+        <source>%1 inputs were given, its head says %2</source>
+        <translation>gotowe wejścia: %1, a nagłówek podaje %2</translation>
+    </message>
+    <message>
+        <source>%1 inputs were given, more than %2 s</source>
+        <translation>gotowe wejścia: %1, dłużej niż %2 s</translation>
     </message>
     <message>
         <source>the input of frame %1 follows that of frame %2</source>
