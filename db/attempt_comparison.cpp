@@ -86,7 +86,7 @@ std::string part_at(const char* table, const List& kept, const List& found, cons
 
 /// Why the recording makes an attempt void, as saving it says (db/attempts.cpp).
 std::vector<VoidReason> voids_of(const AttemptResult& found) {
-    std::vector<VoidReason> voids = void_reasons(found.events);
+    std::vector<VoidReason> voids = void_causes(found);
     const HapticVerdict haptics = haptic_verdict(found);
     voids.insert(voids.end(), haptics.voids.begin(), haptics.voids.end());
     return voids;

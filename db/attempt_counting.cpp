@@ -33,6 +33,13 @@ std::vector<VoidReason> void_reasons(const std::vector<sim::Event>& events) {
     return tuned;
 }
 
+std::vector<VoidReason> void_causes(const AttemptResult& result) {
+    std::vector<VoidReason> voids = void_reasons(result.events);
+    if (result.header.stage != 0)
+        voids.insert(voids.begin(), VoidReason{VoidCause::kGiven, result.header.stage, 0, {}});
+    return voids;
+}
+
 std::vector<VoidReason> why_void(const AttemptRecord& attempt) {
     return void_reasons(attempt.void_reason, attempt.void_meaning);
 }
@@ -48,11 +55,18 @@ bool not_verified(const AttemptRecord& attempt) noexcept {
                        [](const VoidReason& reason) { return is_doubt(reason.cause); });
 }
 
+int given_stage(const AttemptRecord& attempt) noexcept {
+    for (const VoidReason& reason : why_void(attempt))
+        if (reason.cause == VoidCause::kGiven) return reason.found;
+    return 0;
+}
+
 bool machine_at_fault(const AttemptRecord& attempt) noexcept {
     const auto reasons = why_void(attempt);
     return was_tried(attempt) && !reasons.empty() &&
            std::none_of(reasons.begin(), reasons.end(), [](const VoidReason& reason) {
-               return reason.cause == VoidCause::kTuned || is_doubt(reason.cause);
+               return reason.cause == VoidCause::kTuned || reason.cause == VoidCause::kGiven ||
+                      is_doubt(reason.cause);
            });
 }
 

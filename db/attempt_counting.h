@@ -19,14 +19,20 @@ namespace placode::db {
 /// wall clock to keep to.
 [[nodiscard]] std::vector<VoidReason> void_reasons(const std::vector<sim::Event>& events);
 
+/// The same, and what its recording says of how it began: what was given counts for nobody.
+[[nodiscard]] std::vector<VoidReason> void_causes(const AttemptResult& result);
+
 /// Why a stored attempt is void for cause; empty: it is not.
 [[nodiscard]] std::vector<VoidReason> why_void(const AttemptRecord& attempt);
 
 /// Neither broken off, nor void for cause, and something was tried.
 [[nodiscard]] bool counts(const AttemptRecord& attempt) noexcept;
 
+/// The stage that it began with; 0 = the beginning.
+[[nodiscard]] int given_stage(const AttemptRecord& attempt) noexcept;
+
 /// True when nothing but the machine is why the attempt does not count: it was neither left, nor
-/// idle, nor tuned.
+/// idle, nor tuned, nor was something given.
 [[nodiscard]] bool machine_at_fault(const AttemptRecord& attempt) noexcept;
 
 /// What was recorded proves nothing: neither an exam nor of a study any more, but practice.

@@ -112,7 +112,7 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
         packed = compress(file);
     }
     const HapticVerdict haptics = haptic_verdict(result);
-    std::vector<VoidReason> voids = void_reasons(result.events);
+    std::vector<VoidReason> voids = void_causes(result);
     voids.insert(voids.end(), haptics.voids.begin(), haptics.voids.end());
     voids.insert(voids.end(), result.not_verified.begin(), result.not_verified.end());
     UnitOfWork work(connection_);

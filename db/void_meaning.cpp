@@ -15,11 +15,11 @@ namespace placode::db {
 namespace {
 
 /// In the order of VoidCause. A name that a store holds is never given another meaning.
-constexpr std::array kCauses{"few_pictures",   "not_real_time", "tuned",    "device",
-                             "task_unknown",   "task_differs",  "unsound",  "same_recording",
-                             "replay_differs", "script",        "unsigned", "no_recording",
-                             "order_differs",  "order_missing", "proctor",  "exam_closed",
-                             "clock",          "task_version"};
+constexpr std::array kCauses{"few_pictures",   "not_real_time",  "tuned",         "given",
+                             "device",         "task_unknown",   "task_differs",  "unsound",
+                             "same_recording", "replay_differs", "script",        "unsigned",
+                             "no_recording",   "order_differs",  "order_missing", "proctor",
+                             "exam_closed",    "clock",          "task_version"};
 static_assert(kCauses.size() == static_cast<size_t>(VoidCause::kTaskVersion) + 1);
 
 std::string text_of(const QJsonDocument& json) {
@@ -34,7 +34,7 @@ QJsonArray to_json(const std::vector<VoidReason>& reasons) {
     QJsonArray list;
     for (const VoidReason& reason : reasons) {
         QJsonObject one{{"cause", kCauses[static_cast<size_t>(reason.cause)]}};
-        if (reason.needed != 0) {
+        if (reason.found != 0 || reason.needed != 0) {
             one["found"] = reason.found;
             one["needed"] = reason.needed;
         }

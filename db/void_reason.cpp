@@ -49,6 +49,9 @@ constexpr std::array kDoubts{
     Doubt{VoidCause::kTaskVersion,
           "Practice, not verified: the exam asked for another version than ", ""},
 };
+/// With one number.
+constexpr std::array<std::string_view, 2> kGiven{"Begun at stage ",
+                                                 ", what came before it was given"};
 constexpr Sentence kEarly{"ended after ", " s, before the least duration of ", " s"};
 
 std::string said(const Sentence& sentence, int first, int second) {
@@ -81,6 +84,12 @@ std::optional<Numbers> numbers_of(std::string_view text, const Sentence& sentenc
     return std::nullopt;
 }
 
+std::optional<int> stage_of(std::string_view text) {
+    int stage = 0;
+    if (take(text, kGiven[0]) && take(text, stage) && text == kGiven[1]) return stage;
+    return std::nullopt;
+}
+
 VoidReason void_reason(std::string_view text) {
     if (text == kTuned) return {VoidCause::kTuned, 0, 0, {}};
     // Stores hold "1 pictures" of earlier versions, too.
@@ -89,6 +98,7 @@ VoidReason void_reason(std::string_view text) {
             return {VoidCause::kFewPictures, n->first, n->second, {}};
     if (const auto n = numbers_of(text, kRealTime))
         return {VoidCause::kNotRealTime, n->first, n->second, {}};
+    if (const auto stage = stage_of(text)) return {VoidCause::kGiven, *stage, 0, {}};
     for (const Doubt& doubt : kDoubts) {
         if (!text.starts_with(doubt.before) || !text.ends_with(doubt.behind) ||
             text.size() < doubt.before.size() + doubt.behind.size())
@@ -119,6 +129,8 @@ std::string text_of(const VoidReason& reason) {
             return said(kRealTime, reason.found, reason.needed);
         case VoidCause::kTuned:
             return std::string(kTuned);
+        case VoidCause::kGiven:
+            return std::string(kGiven[0]) + std::to_string(reason.found) + std::string(kGiven[1]);
         case VoidCause::kDevice:
             return reason.detail.english();
         case VoidCause::kTaskUnknown:

@@ -19,6 +19,7 @@ enum class VoidCause : uint8_t {
     kFewPictures,  ///< Fewer pictures a second than are needed.
     kNotRealTime,  ///< The simulation ran behind the clock.
     kTuned,        ///< Tissue or generator were tuned: it is not the task any more.
+    kGiven,        ///< It began at a stage, what came before was given; `found` is the stage.
     kDevice,       ///< The force device; `detail` has the figures for technicians.
     // What was recorded proves nothing: practice, not verified.
     kTaskUnknown,  ///< No task of that id and version was published; `detail` names it.
@@ -48,7 +49,7 @@ inline constexpr const char* kNobody = "nobody";  ///< Of kUnsigned.
 
 struct VoidReason {
     VoidCause cause = VoidCause::kDevice;
-    int found = 0, needed = 0;  ///< Pictures a second, or percent of real time.
+    int found = 0, needed = 0;  ///< Pictures a second, or percent of real time; of kGiven a stage.
     Said detail;                ///< Of kDevice and of doubts.
 
     [[nodiscard]] bool operator==(const VoidReason&) const = default;

@@ -132,6 +132,8 @@ QString void_reason_words(const db::VoidReason& reason) {
                 .arg(reason.found);
         case db::VoidCause::kTuned:
             return say("Tissue or generator was tuned");
+        case db::VoidCause::kGiven:
+            return say("Begun at stage %1, what came before it was given").arg(reason.found);
         case db::VoidCause::kDevice:
             return said_part(reason.detail);
         case db::VoidCause::kTaskUnknown:
@@ -185,13 +187,16 @@ QString not_counted_words(const db::AttemptRecord& attempt, Language language) {
     if (attempt.verdict == assessment::Verdict::kNotAttempted) said << say("nothing was done");
     // The figures of a machine stand where there is room for them.
     bool tuned = false, device = false, slow = false, doubt = false;
+    int stage = 0;
     for (const db::VoidReason& reason : db::why_void(attempt)) {
         tuned |= reason.cause == db::VoidCause::kTuned;
+        if (reason.cause == db::VoidCause::kGiven) stage = reason.found;
         device |= reason.cause == db::VoidCause::kDevice;
         slow |= reason.cause == db::VoidCause::kFewPictures ||
                 reason.cause == db::VoidCause::kNotRealTime;
         doubt |= db::is_doubt(reason.cause);
     }
+    if (stage > 0) said << say("begun at stage %1").arg(stage);
     if (tuned) said << say("tissue or generator was tuned");
     if (device) said << say("the force device did not work as it must");
     if (slow) said << say("the computer was too slow");

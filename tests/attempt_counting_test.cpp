@@ -253,6 +253,40 @@ TEST_P(Counting, ATunedAttemptCountsNowhereAndNoMachineIsAtFault) {
     EXPECT_TRUE(store->attempts().standings(0).empty());
 }
 
+TEST_P(Counting, WhatBeganAtAStageCountsNowhere) {
+    const curriculum::Course course = curriculum::load_course("first_steps");
+    const auto counted = [&] {
+        return db::course_standing(*store, user, course.id, "2026-06-01T00:00:00Z")
+            .progress.stages.front()
+            .attempts;
+    };
+    const int before = counted();
+    db::AttemptResult result = passed("2026-01-03T03:00:00.000Z", {});
+    result.header.task_id = course.stages.front().task_id;
+    result.header.stage = 2;
+    result.header.given_frames = 100;
+    const int64_t id = save_recorded(*store, user, result, folder.path().string());
+    const db::AttemptRecord record = store->attempts().detail(id).record;
+    EXPECT_EQ(record.void_reason, "Begun at stage 2, what came before it was given");
+    EXPECT_THAT(db::why_void(record),
+                testing::ElementsAre(db::VoidReason{db::VoidCause::kGiven, 2, 0, {}}));
+    EXPECT_EQ(db::given_stage(record), 2);
+    EXPECT_FALSE(db::counts(record));
+    EXPECT_FALSE(db::machine_at_fault(record));
+    EXPECT_FALSE(db::not_verified(record)) << "honest practice";
+    store->attempts().set_replay(id, db::ReplayState::kIdentical, {});
+    EXPECT_FALSE(db::counts(store->attempts().detail(id).record)) << "no replay makes it count";
+    EXPECT_TRUE(store->attempts().standings(0).empty());
+    EXPECT_EQ(counted(), before) << "mastery does not see it";
+    // What an exam asks for, and whatever else happened, it is void for this cause.
+    result.events = {machine(0.4F, 60)};
+    EXPECT_THAT(db::void_text(db::void_causes(result)),
+                testing::StartsWith("Begun at stage 2, what came before it was given; "));
+    const auto whole = store->attempts().detail(save("2026-01-05T03:00:00.000Z", {})).record;
+    EXPECT_TRUE(db::counts(whole));
+    EXPECT_EQ(db::given_stage(whole), 0);
+}
+
 TEST_P(Counting, PracticeExamAndMasteryLeaveItOut) {
     const curriculum::Course course = curriculum::load_course("first_steps");
     const curriculum::CourseStage& stage = course.stages.front();

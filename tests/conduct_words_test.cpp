@@ -121,6 +121,11 @@ TEST_F(ConductWords, WhyAnAttemptDoesNotCountSaysWhatThePersonDidFirst) {
     attempt.end = sim::EndReason::kFinished;
     EXPECT_EQ(not_counted_words(attempt), "~nothing was done");
     EXPECT_EQ(void_words("Tissue or generator was tuned"), "~Tissue or generator was tuned");
+    attempt.verdict = assessment::Verdict::kNotYet;
+    attempt.void_reason = db::void_text({{db::VoidCause::kGiven, 2, 0, {}}});
+    EXPECT_EQ(not_counted_words(attempt), "~begun at stage 2");
+    EXPECT_EQ(void_words(attempt.void_reason), "~Begun at stage 2, what came before it was given");
+    EXPECT_EQ(not_counted_words(attempt, Language::kEnglish), "begun at stage 2");
 }
 
 TEST(ConductWordsInEnglish, APartOfASentenceHasNoCapital) {

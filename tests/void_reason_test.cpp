@@ -14,6 +14,7 @@ namespace THIS_TEST {
 
 const std::vector<VoidReason> kAll{
     {VoidCause::kTuned, 0, 0, {}},
+    {VoidCause::kGiven, 2, 0, {}},
     {VoidCause::kDevice, 0, 0, Said::as_is("40 drop-outs of the force loop")},
     {VoidCause::kFewPictures, 0, 20, {}},
     {VoidCause::kFewPictures, 1, 20, {}},
@@ -45,6 +46,7 @@ TEST(VoidReason, StoresOfEarlierVersionsMeanTheSame) {
                               "The computer was too slow: 3 pictures a second, 20 are needed!",
                               "The computer was too slow: 99999999999 pictures a second, 20 are "
                               "needed",
+                              "Begun at stage 2", "Begun at stage x, what came before it was given",
                               "2 device faults"}) {
         const auto read = void_reasons(other);
         ASSERT_EQ(read.size(), 1u);

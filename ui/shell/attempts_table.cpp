@@ -127,7 +127,8 @@ struct Uncounted {
 };
 
 Uncounted uncounted_of(const std::vector<db::AttemptRecord>& attempts) {
-    int slow = 0, broken_off = 0, idle = 0, tuned = 0, doubted = 0, waiting = 0, elsewhere = 0;
+    int slow = 0, broken_off = 0, idle = 0, tuned = 0, doubted = 0, waiting = 0, elsewhere = 0,
+        given = 0;
     for (const db::AttemptRecord& each : attempts) {
         // What the person did comes first, as on the result.
         if (each.end == sim::EndReason::kInterrupted)
@@ -138,6 +139,8 @@ Uncounted uncounted_of(const std::vector<db::AttemptRecord>& attempts) {
             ++slow;
         else if (db::not_verified(each))
             ++doubted;
+        else if (db::given_stage(each) > 0)
+            ++given;
         else if (!each.void_reason.empty())
             ++tuned;
         else if (each.replay == db::ReplayState::kWaiting)
@@ -161,6 +164,10 @@ Uncounted uncounted_of(const std::vector<db::AttemptRecord>& attempts) {
     if (tuned > 0) {
         why << AttemptsTable::tr("tuned: %1").arg(tuned);
         what << AttemptsTable::tr("Leave the tuning panel (F2) closed.");
+    }
+    if (given > 0) {
+        why << AttemptsTable::tr("begun at a stage: %1").arg(given);
+        what << AttemptsTable::tr("Begin at the beginning for an attempt that counts.");
     }
     if (doubted > 0) {
         why << AttemptsTable::tr("practice, not verified: %1").arg(doubted);

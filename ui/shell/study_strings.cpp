@@ -58,6 +58,8 @@ namespace {
     QT_TRANSLATE_NOOP("Deviation", "nothing was done"),
     QT_TRANSLATE_NOOP("Deviation", "Tissue or generator was tuned"),
     QT_TRANSLATE_NOOP("Deviation", "tissue or generator was tuned"),
+    QT_TRANSLATE_NOOP("Deviation", "Begun at stage %1, what came before it was given"),
+    QT_TRANSLATE_NOOP("Deviation", "begun at stage %1"),
     QT_TRANSLATE_NOOP("Deviation", "the force device did not work as it must"),
     QT_TRANSLATE_NOOP("Deviation", "the computer was too slow"),
     QT_TRANSLATE_NOOP("Deviation", "broken off"),

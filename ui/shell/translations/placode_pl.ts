@@ -734,6 +734,14 @@
         <translation>Nie otwieraj panelu strojenia (F2).</translation>
     </message>
     <message>
+        <source>begun at a stage: %1</source>
+        <translation>rozpoczęte od etapu: %1</translation>
+    </message>
+    <message>
+        <source>Begin at the beginning for an attempt that counts.</source>
+        <translation>Aby próba się liczyła, zacznij od początku.</translation>
+    </message>
+    <message>
         <source>There are attempts, but none of them counts (%1).</source>
         <translation>Są próby, ale żadna się nie liczy (%1).</translation>
     </message>
@@ -10145,6 +10153,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Tkanka lub generator były strojone</translation>
     </message>
     <message>
+        <source>Begun at stage %1, what came before it was given</source>
+        <translation>Rozpoczęta od etapu %1, to, co przed nim, było gotowe</translation>
+    </message>
+    <message>
         <source>Nothing was done in %1; the attempt is kept and no analysis uses it.</source>
         <translation>Przez %1 nic nie zrobiono; próba zostaje, lecz żadna analiza jej nie używa.</translation>
     </message>
@@ -10155,6 +10167,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>tissue or generator was tuned</source>
         <translation>strojono tkankę lub generator</translation>
+    </message>
+    <message>
+        <source>begun at stage %1</source>
+        <translation>rozpoczęta od etapu %1</translation>
     </message>
     <message>
         <source>the force device did not work as it must</source>
@@ -11409,6 +11425,18 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>jego wejścia trwają %1 s, a zakończenie podaje %2 s</translation>
     </message>
     <message>
+        <source>stage is %1, expected 0 to %2</source>
+        <translation>stage wynosi %1, oczekiwano od 0 do %2</translation>
+    </message>
+    <message>
+        <source>%1 inputs were given, its head says %2</source>
+        <translation>gotowe wejścia: %1, a nagłówek podaje %2</translation>
+    </message>
+    <message>
+        <source>%1 inputs were given, more than %2 s</source>
+        <translation>gotowe wejścia: %1, dłużej niż %2 s</translation>
+    </message>
+    <message>
         <source>%1 has %2 points, expected 3 or more</source>
         <translation>%1: liczba punktów %2, oczekiwano co najmniej 3</translation>
     </message>
@@ -11423,18 +11451,6 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>placode_volume_m3 is %1</source>
         <translation>placode_volume_m3 wynosi %1</translation>
-    </message>
-    <message>
-        <source>stage is %1, expected 0 to %2</source>
-        <translation>stage wynosi %1, oczekiwano od 0 do %2</translation>
-    </message>
-    <message>
-        <source>%1 inputs were given, its head says %2</source>
-        <translation>gotowe wejścia: %1, a nagłówek podaje %2</translation>
-    </message>
-    <message>
-        <source>%1 inputs were given, more than %2 s</source>
-        <translation>gotowe wejścia: %1, dłużej niż %2 s</translation>
     </message>
     <message>
         <source>the input of frame %1 follows that of frame %2</source>
