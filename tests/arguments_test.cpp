@@ -52,5 +52,27 @@ TEST(Arguments, WhatIsNoNumberIsRefusedWithItsOption) {
     EXPECT_DOUBLE_EQ(parsed({"--duration", "0.001"}).duration_s, 0.001);
 }
 
+TEST(Arguments, AStageIsForPracticeAlone) {
+    EXPECT_EQ(parsed({}).stage, 0);
+    EXPECT_EQ(parsed({"--stage", "0", "--exam"}).stage, 0);
+    EXPECT_EQ(parsed({"--stage", "2"}).stage, 2);
+    const auto refusal = [](const std::vector<std::string>& words) -> std::string {
+        try {
+            (void)parsed(words);
+            return "taken";
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+    };
+    for (const char* wrong : {"-1", "9", "1.5", "two", ""})
+        EXPECT_THAT(refusal({"--stage=" + std::string(wrong)}), testing::HasSubstr("--stage"));
+    EXPECT_THAT(refusal({"--stage", "1", "--exam"}),
+                testing::HasSubstr("begins with the beginning"));
+    EXPECT_THAT(refusal({"--stage", "1", "--study"}),
+                testing::HasSubstr("begins with the beginning"));
+    EXPECT_THAT(refusal({"--stage", "1", "--device", "play:a.placode"}),
+                testing::HasSubstr("begins as its attempt did"));
+}
+
 }  // namespace THIS_TEST
 }  // namespace placode::ui

@@ -348,4 +348,67 @@ TEST_F(Programs, PicturesOfAnAttemptAreTimedAtEveryQuality) {
     }
 }
 
+TEST_F(Programs, AnAttemptBeginsAtAStageAndTheExpertIsAskedOnce) {
+    std::string task = read_text(PLACODE_SOURCE_DIR "/data/tasks/touch_targets.json");
+    const std::string rubric = "\"rubric\": {";
+    ASSERT_NE(task.find(rubric), std::string::npos);
+    task.insert(task.find(rubric),
+                "\"stages\": [{\"before_step\": 2, \"title\": {\"en\": \"the "
+                "third target\", \"pl\": \"trzeci cel\"}}], ");
+    write_text(file("task.json"), task);
+    const std::string begin = "--task " + file("task.json") +
+                              " --device script:expert --headless --fast --threads 1 --duration 3 ";
+    const std::string caches = "XDG_CACHE_HOME='" + folder + "/caches'";
+    const auto attempt = [&](const std::string& name) {
+        return run("placode-sim", begin + "--stage 1 --record " + file(name), caches);
+    };
+    const Outcome first = attempt("a.placode");
+    ASSERT_EQ(first.status, 0) << first.err;
+    EXPECT_THAT(first.err, AllOf(HasSubstr("Preparing stage: the third target, 0 %"),
+                                 HasSubstr("Preparing stage: the third target, 90 %")));
+    const Outcome second = attempt("b.placode");
+    ASSERT_EQ(second.status, 0) << second.err;
+    EXPECT_EQ(second.err, "") << "it lies in the cache";
+    const auto a = db::read_recording_file(file("a.placode"));
+    const auto b = db::read_recording_file(file("b.placode"));
+    EXPECT_EQ(a.header.stage, 1);
+    EXPECT_GT(a.header.given_frames, 500);
+    EXPECT_EQ(a.header.given_hash, b.header.given_hash);
+    EXPECT_EQ(a.end.final_hash, b.end.final_hash);
+    // What lies there and is damaged is made anew.
+    for (const auto& entry : fs::directory_iterator(folder + "/caches/placode/stages"))
+        write_text(entry.path().string(), "nonsense");
+    const Outcome third = attempt("c.placode");
+    ASSERT_EQ(third.status, 0) << third.err;
+    EXPECT_THAT(third.err, HasSubstr("Preparing stage"));
+    EXPECT_EQ(db::read_recording_file(file("c.placode")).end.final_hash, a.end.final_hash);
+    // Here and, without its cache, anywhere else it replays exactly.
+    for (const std::string& cache : {caches, "XDG_CACHE_HOME='" + folder + "/none'"}) {
+        const Outcome replay =
+            run("placode-sim", "--device play:" + file("a.placode") + " --headless --fast", cache);
+        EXPECT_EQ(replay.status, 0) << replay.err;
+        EXPECT_THAT(replay.out, HasSubstr("replay: identical"));
+    }
+    const Outcome score = ctl("score " + file("a.placode"));
+    EXPECT_EQ(score.status, 0) << score.err;
+    EXPECT_THAT(score.out,
+                AllOf(HasSubstr("score 0.0 of 100"), HasSubstr("Not scored: begun at stage 1")));
+}
+
+TEST_F(Programs, AStageThatIsNotThereIsAnsweredWithThoseThatAre) {
+    const Outcome wrong = run("placode-sim",
+                              "--task suture_run --device script:expert --headless "
+                              "--fast --stage 3 --record " +
+                                  file("a.placode"));
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_THAT(wrong.err, AllOf(HasSubstr("has no stage 3"),
+                                 HasSubstr("0 (the beginning), 1 (bite 2), 2 (bite 3)")));
+    EXPECT_FALSE(fs::exists(file("a.placode")));
+    const Outcome none = run("placode-sim",
+                             "--task diathermy_ring --device script:expert "
+                             "--headless --fast --stage 1");
+    EXPECT_EQ(none.status, 2);
+    EXPECT_THAT(none.err, HasSubstr("known: 0 (the beginning)"));
+}
+
 }  // namespace THIS_TEST

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "db/recording_order.h"
+#include "sim/step/recording.h"
 #include "ui/finite_range.h"
 #include "ui/seed_range.h"
 #include "ui/usage_message.h"
@@ -79,6 +80,9 @@ void check(Arguments& arguments) {
     if (arguments.mode != curriculum::AttemptMode::kPractice && !arguments.preset.empty())
         throw UsageError(
             "--preset: an exam or a study is done on the task as it was published; leave it out");
+    if (arguments.mode != curriculum::AttemptMode::kPractice && arguments.stage > 0)
+        throw UsageError(
+            "--stage: an exam or a study begins with the beginning of its task; leave it out");
     if (!arguments.order.empty() && !db::is_order_checksum(arguments.order))
         throw UsageError("--order: found \"" + arguments.order +
                          "\", expected a checksum of 64 hexadecimal digits, as placode gives it");
@@ -97,6 +101,8 @@ void check(Arguments& arguments) {
     if (arguments.device.rfind("play:", 0) == 0) {
         arguments.play = arguments.device.substr(5);
         if (arguments.play.empty()) throw UsageError("--device play:FILE: the file is missing");
+        if (arguments.stage > 0)
+            throw UsageError("--stage: a replay begins as its attempt did; leave it out");
         if (!arguments.record.empty()) {
             throw UsageError(
                 "--record: a replay is compared with its recording, not recorded again");
@@ -131,6 +137,10 @@ struct Typed {
 void add_attempt_options(CLI::App& app, Arguments& arguments) {
     app.add_option("--task", arguments.task, "Id of a task, or its JSON file")
         ->type_name("ID|FILE.json");
+    app.add_option("--stage", arguments.stage,
+                   "Begin at this stage of the task; what comes before is given, and the attempt "
+                   "counts for nothing (0: the beginning)")
+        ->check(CLI::Range(0, sim::kMostStages));
     app.add_option(
         "--device", arguments.device,
         "mouse, keyboard, gamepad, spacemouse, openhaptics, haply, avatar, forcedimension, "

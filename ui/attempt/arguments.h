@@ -28,6 +28,7 @@ struct Arguments {
     double screenshot_every_s = 5;
     double duration_s = 0;  ///< 0 = the task's limit.
     int threads = 2;
+    int stage = 0;  ///< Of the task, to begin at; 0 = the beginning.
     uint64_t seed = 1;
     int width = 1280, height = 800;
     bool size_given = false;  ///< By --size; else a window takes the size of the last one.

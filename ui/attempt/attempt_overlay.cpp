@@ -117,6 +117,7 @@ view::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments
     set_steps(overlay, task, arguments.device, arguments.language);
     overlay.exam = !arguments.aids.read_outs;
     overlay.warnings = arguments.aids.warnings;
+    if (arguments.stage > 0) overlay.banner = "FROM A STAGE, not scored";
     if (!curriculum::preset_of(task).empty()) overlay.banner = "TUNED, not scored";
     if (arguments.demonstration) overlay.banner = "DEMONSTRATION";
     return overlay;
@@ -134,6 +135,7 @@ view::OverlayState replay_overlay(const curriculum::Task& task, const sim::Recor
     overlay.heading = recording.header.mode == "exam"    ? "Replay: exam"
                       : recording.header.mode == "study" ? "Replay: study"
                                                          : "Replay: practice";
+    if (recording.header.stage > 0) overlay.banner = "FROM A STAGE, not scored";
     if (recording.header.demonstration) overlay.banner = "DEMONSTRATION";
     return overlay;
 }

@@ -17,6 +17,7 @@
 #include "haptics/pedal_watch.h"
 #include "haptics/real_time.h"
 #include "ui/arrived.h"
+#include "ui/attempt/prepare_stage.h"
 #include "ui/attempt/sessions.h"
 #include "ui/diagnostics/crash_report.h"
 #include "ui/view/gl_program.h"
@@ -78,6 +79,13 @@ std::string certificate_problem(const std::string& recording, const std::string&
     }
 }
 
+/// Somebody did not want to wait for the stage: nothing was recorded.
+int stopped_before(const Arguments& arguments, StatusLine& status) {
+    status.end({}, "closed", {});
+    if (!arguments.status) std::printf("stopped before the attempt began\n");
+    return 0;
+}
+
 int run_attempt(const Arguments& arguments, StatusLine& status) {
     status.print({}, true);
     curriculum::Task task = curriculum::load_task(arguments.task);
@@ -102,6 +110,10 @@ int run_attempt(const Arguments& arguments, StatusLine& status) {
     options.window = &input;
     options.mode = arguments.mode;
     options.wait_for_motion = !arguments.headless;
+    if (arguments.stage > 0) {
+        options.start = prepare_stage(task, arguments);
+        if (!options.start) return stopped_before(arguments, status);
+    }
     std::unique_ptr<sim::RecordingSink> sink;
     if (!arguments.record.empty())
         sink = db::create_recording_file(arguments.record, arguments.order);

@@ -13,6 +13,7 @@
 
 #include "curriculum/replay.h"
 #include "db/recording_file.h"
+#include "db/stage_cache.h"
 #include "sim/core/number_text.h"
 #include "ui/attempt/attempt_overlay.h"
 #include "ui/attempt/sessions.h"
@@ -73,6 +74,24 @@ class Watcher {
         overlay_ =
             replay_overlay(curriculum::load_task_text(recording.header.task_json, arguments.play),
                            recording, arguments);
+    }
+
+    /// What was given before the attempt is simulated first, and takes a while.
+    void preparing(double share, const sim::Scene& scene, const sim::State& state) {
+        if (stop_requested()) throw StoppedByUser{};
+        if (!progress_due()) return;
+        if (arguments_.control) control_.poll(wish_);
+        if (!arguments_.headless) {
+            const int percent = static_cast<int>(std::lround(100 * share));
+            std::string text =
+                view::translated("Preparing what was given, %1 %", arguments_.language);
+            if (const size_t at = text.find("%1"); at != std::string::npos)
+                text.replace(at, 2, std::to_string(percent));
+            show_with(scene, state, text);
+            handle_window(0);
+        }
+        if (wish_.quit) throw StoppedByUser{};
+        tell();
     }
 
     void begin(double time_s = 0) {
@@ -170,6 +189,12 @@ class Watcher {
         started_ = false;
     }
 
+    void show_with(const sim::Scene& scene, const sim::State& state, const std::string& notice) {
+        show(scene, state, false);
+        overlay_.notice = notice;
+        view_->draw(snapshot_, overlay_);
+    }
+
     void show(const sim::Scene& scene, const sim::State& state, bool draw) {
         sim::fill_snapshot(scene, state, snapshot_);
         place_camera(wish_.camera, scene.tools, snapshot_);
@@ -244,7 +269,14 @@ class Watcher {
 curriculum::ReplayResult play(const Arguments& arguments, const sim::Recording& recording,
                               Watcher& watcher) {
     const bool watched = arguments.control || !arguments.headless;
-    curriculum::Replay replay(recording, arguments.threads, watched ? kKeyFrameBytes : 0);
+    // On the computer where it was recorded what was given is often known.
+    const auto known = db::StageCache().find(recording.header);
+    const curriculum::GivenPart given{
+        known ? &known->state : nullptr,
+        [&watcher](double share, const sim::Scene& scene, const sim::State& state) {
+            watcher.preparing(share, scene, state);
+        }};
+    curriculum::Replay replay(recording, arguments.threads, watched ? kKeyFrameBytes : 0, given);
     const auto last = std::ssize(recording.inputs);
     watcher.begin();
     for (bool more = true; more;) {

@@ -13857,6 +13857,26 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Odtwarzanie: ćwiczenie</translation>
     </message>
     <message>
+        <source>Preparing</source>
+        <translation>Przygotowanie</translation>
+    </message>
+    <message>
+        <source>Esc stops</source>
+        <translation>Esc przerywa</translation>
+    </message>
+    <message>
+        <source>Preparing stage: %1, %2 %</source>
+        <translation>Przygotowanie etapu: %1, %2 %</translation>
+    </message>
+    <message>
+        <source>Preparing what was given, %1 %</source>
+        <translation>Przygotowanie tego, co było gotowe, %1 %</translation>
+    </message>
+    <message>
+        <source>FROM A STAGE, not scored</source>
+        <translation>OD ETAPU, bez oceny</translation>
+    </message>
+    <message>
         <source>Replay: exam</source>
         <translation>Odtwarzanie: egzamin</translation>
     </message>
