@@ -12,6 +12,7 @@
 #include <QProcess>
 #include <QSqlDatabase>
 #include <QSqlQuery>
+#include <QTemporaryDir>
 
 #include "db/recording_file.h"
 #include "shell_harness.h"
@@ -51,6 +52,7 @@ class ShellAttemptTest : public QObject {
     void whatRecordedNothingIsNoLeftover();
     void recordingStaysWhenTheStoreIsLocked();
     void abortedAttemptCountsAsInterrupted();
+    void aStageIsRememberedAndMayBeLeftBeforeItIsReady();
     void unknownDeviceComesBackWithTheReason();
     void educatorSeesAllOfThem();
     void theTimeToTheLockBeginsWhenTheAttemptEnds();
@@ -336,6 +338,48 @@ void ShellAttemptTest::abortedAttemptCountsAsInterrupted() {
     QVERIFY(shell.click("abort"));
     QVERIFY(shell.arrives(PageId::kResult, 60));
     QCOMPARE(attempts().back().end, sim::EndReason::kInterrupted);
+}
+
+void ShellAttemptTest::aStageIsRememberedAndMayBeLeftBeforeItIsReady() {
+    ShellHarness& shell = *shell_;
+    const auto open = [&](const char* task) {
+        shell.window().open({PageId::kTask, 0, task, {}});
+        return shell.arrives(PageId::kTask);
+    };
+    QVERIFY(open("touch_targets"));
+    QVERIFY2(shell.find<QComboBox>("stage") == nullptr, "a task without stages has no choice");
+    QVERIFY(open("suture_run"));
+    auto* stages = shell.find<QComboBox>("stage");
+    QVERIFY(stages != nullptr);
+    QCOMPARE(stages->count(), 3);
+    QCOMPARE(stages->currentData().toInt(), 0);
+    QCOMPARE(stages->itemText(2), QString("bite 3"));
+    QVERIFY(!shell.find<QLabel>("stage_note")->isVisible());
+    stages->setCurrentIndex(2);
+    QVERIFY(shell.find<QLabel>("stage_note")->isVisible());
+    shell.shot("20_task_stage");
+    QVERIFY(shell.choose("device", "script:expert"));
+    // Nobody has prepared it yet.
+    const QTemporaryDir caches;
+    const QByteArray cache_before = qgetenv("XDG_CACHE_HOME");
+    qputenv("XDG_CACHE_HOME", caches.path().toUtf8());
+    const size_t before = attempts().size();
+    QVERIFY(shell.click("start_attempt"));
+    QVERIFY(shell.arrives(PageId::kRunning));
+    AttemptLauncher& launcher = shell.context().launcher();
+    // Its first line says that it obeys signals by now; the expert is at work for long.
+    QVERIFY(QTest::qWaitFor([&] { return !launcher.status().phase.isEmpty(); }, kPatienceMs));
+    launcher.finish();
+    QVERIFY(shell.arrives(PageId::kTask, 60));
+    QVERIFY(!launcher.running());
+    QCOMPARE(attempts().size(), before);
+    QVERIFY2(recordings().isEmpty(), "nothing was recorded");
+    cache_before.isNull() ? qunsetenv("XDG_CACHE_HOME") : qputenv("XDG_CACHE_HOME", cache_before);
+    QVERIFY(open("touch_targets"));
+    QVERIFY(open("suture_run"));
+    QCOMPARE(shell.find<QComboBox>("stage")->currentData().toInt(), 2);
+    QVERIFY(open("suture_slit"));
+    QCOMPARE(shell.find<QComboBox>("stage")->currentData().toInt(), 0);
 }
 
 void ShellAttemptTest::unknownDeviceComesBackWithTheReason() {

@@ -100,6 +100,10 @@ void ShellHandoverTest::everyModeHasItsArguments() {
     const QStringList practice = simulator_arguments(order, options);
     for (const char* absent : {"--study", "--aids", "--min-duration", "--exam", "--author", "Ada"})
         QVERIFY2(!practice.contains(absent), absent);
+    QVERIFY(!practice.contains("--stage"));
+    order.stage = 2;
+    const QStringList further = simulator_arguments(order, options);
+    QCOMPARE(further.value(further.indexOf("--stage") + 1), QString("2"));
     const auto author = [&] { return simulator_environment(order).value("PLACODE_AUTHOR"); };
     QCOMPARE(author(), QString("Ada"));
     order.study = "pilot";
@@ -108,6 +112,7 @@ void ShellHandoverTest::everyModeHasItsArguments() {
     order.min_s = 60;
     const QStringList study = simulator_arguments(order, options);
     QVERIFY(study.contains("--study"));
+    QVERIFY2(!study.contains("--stage"), "a study begins with the beginning");
     QCOMPARE(study.value(study.indexOf("--aids") + 1), QString("read_outs,depth"));
     QCOMPARE(study.value(study.indexOf("--min-duration") + 1), QString("60"));
     QVERIFY2(!study.contains("P001-C") && author().isEmpty(), "nothing is tuned in a study");
@@ -120,6 +125,7 @@ void ShellHandoverTest::everyModeHasItsArguments() {
     order.exam.course_id = "first_steps";
     const QStringList exam = simulator_arguments(order, options);
     QVERIFY(exam.contains("--exam") && exam.contains("--seed"));
+    QVERIFY2(!exam.contains("--stage"), "and so does an exam");
     for (const char* absent : {"--study", "--aids", "--author"})
         QVERIFY2(!exam.contains(absent), absent);
     qputenv("PLACODE_AUTHOR", "who was here before");

@@ -35,6 +35,7 @@ class ShellHintsTest : public QObject {
     void switchingTheUserIsNamedAndAsksWhileAnAttemptRuns();
     void aStudySaysTheLimitThatTheWindowShows();
     void whatIsInDoubtIsNotCalledTuned();
+    void whatBeganAtAStageSaysSo();
     void whatIsInDoubtIsNamedInTheProgramsLanguage();
     void whatCannotBeReplayedHereSaysSo();
     void equalScoresAreNotCalledScattered();
@@ -390,6 +391,42 @@ void ShellHintsTest::whatIsInDoubtIsNotCalledTuned() {
     QVERIFY(shell_->arrives(PageId::kResult));
     QCOMPARE(shell_->text("result_verdict"), QString("Does not count: practice, not verified"));
     shell_->whole("36_result_not_verified");
+    shell_->context().signOut();
+}
+
+void ShellHintsTest::whatBeganAtAStageSaysSo() {
+    QVERIFY(shell_->signIn("nina", "quiet river 7"));
+    db::AttemptResult result = passed_attempt("2026-03-01T10:00:00Z");
+    result.header.task_id = "suture_run";
+    result.header.stage = 1;
+    result.header.given_frames = 100;
+    result.score.verdict = assessment::Verdict::kNotYet;
+    result.score.reasons.push_back(
+        {std::string(assessment::kGivenItem), "Not scored.", 0, -1, false});
+    const int64_t given = shell_->owner().attempts().save(user_, result);
+    shell_->window().open({PageId::kHistory, 0, {}, {{"task", "suture_run"}}});
+    QVERIFY(shell_->arrives(PageId::kHistory));
+    const auto* table = shell_->find<QTableWidget>("history_table");
+    QCOMPARE(table->item(0, table->columnCount() - 1)->text(), QString("begun at stage 1"));
+    const QString why = shell_->text("history_empty");
+    QVERIFY2(why.contains("begun at a stage: 1") && !why.contains("tun"), qPrintable(why));
+    const auto says = [&](const char* code, const QString& verdict, const QString& fact) {
+        shell_->context().setLanguage(code);
+        shell_->window().open({PageId::kResult, given, {}, {}});
+        QVERIFY(shell_->arrives(PageId::kResult));
+        QCOMPARE(shell_->text("result_verdict"), verdict);
+        QVERIFY(shell_->find<QLabel>("result_points") == nullptr);
+        QVERIFY2(shell_->find<QLabel>("reasons_heading") == nullptr, "the head says all of it");
+        bool said = false;
+        for (const auto* label : shell_->window().page()->findChildren<QLabel*>())
+            said = said || label->text().contains(fact);
+        QVERIFY2(said, qPrintable(fact));
+        QVERIFY(shell_->fits());
+    };
+    says("en", "Does not count: begun at stage 1", "from bite 2");
+    says("pl", QString::fromUtf8("Nie liczy się: rozpoczęta od etapu 1"),
+         QString::fromUtf8("od: ścieg 2"));
+    shell_->context().setLanguage("en");
     shell_->context().signOut();
 }
 

@@ -53,6 +53,9 @@ QStringList simulator_arguments(const AttemptOrder& order, const LaunchOptions& 
     const AttemptMode mode = order.mode();
     if (mode == AttemptMode::kExam || order.seed > 0)
         arguments << "--seed" << QString::number(order.seed);
+    // The simulator refuses it in an exam and in a study; nobody shall have asked for it.
+    if (mode == AttemptMode::kPractice && order.stage > 0)
+        arguments << "--stage" << QString::number(order.stage);
     if (mode == AttemptMode::kExam) arguments << "--exam";
     if (mode == AttemptMode::kStudy) {
         arguments << "--study"

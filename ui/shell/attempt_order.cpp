@@ -128,6 +128,7 @@ void write_order(AttemptOrder& order, const QString& folder) {
         {"min_s", order.min_s},
         {"duration_s", order.duration_s},
         {"seed", QString::number(order.seed)},
+        {"stage", order.stage},
         {"exam_course", QString::fromStdString(order.exam.course_id)},
         {"exam_course_version", order.exam.course_version},
         {"exam_stage", QString::fromStdString(order.exam.stage_id)},
@@ -167,6 +168,7 @@ std::optional<AttemptOrder> read_order(const QString& recording_file) {
     order.min_s = json["min_s"].toDouble();
     order.duration_s = json["duration_s"].toDouble();
     order.seed = json["seed"].toString().toULongLong();
+    order.stage = json["stage"].toInt();
     order.exam.course_id = json["exam_course"].toString().toStdString();
     order.exam.course_version = json["exam_course_version"].toInt();
     order.exam.stage_id = json["exam_stage"].toString().toStdString();

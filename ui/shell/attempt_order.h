@@ -36,6 +36,7 @@ struct AttemptOrder {
     double min_s = 0;       ///< Of a study: a shorter attempt does not count as done.
     double duration_s = 0;  ///< 0 = the task's limit.
     uint64_t seed = 0;      ///< Of anatomy and operator; 0 = the program's own.
+    int stage = 0;          ///< Of the task, to begin at, in practice; 0 = the beginning.
     db::ExamContext exam;   ///< Of an exam stage; no course = practice.
     QByteArray text;        ///< As it lies beside the recording; empty: no file does.
     QString store;          ///< server_place() of the one that it was begun for.

@@ -52,6 +52,14 @@ void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
     // Of an exam nothing is asked: its case was seen, however it ended. An educator may grant
     // another attempt.
     const bool exam = ending.order.mode() == curriculum::AttemptMode::kExam;
+    // Who did not wait until the stage was ready wanted just that.
+    if (ending.order.stage > 0 && !ending.crashed && ending.exit_code == 0 &&
+        !QFile::exists(ending.order.recording_file)) {
+        remove_recording(ending.order.recording_file);
+        notices_->showNotice(tr("The attempt was left before it began; nothing was kept."));
+        if (waiting) leaveRunning(ending.order);
+        return;
+    }
     if (never_began || !QFile::exists(ending.order.recording_file)) {
         remove_recording(ending.order.recording_file);
         Problem problem = simulator_problem(

@@ -39,7 +39,9 @@ class ResultPage : public Page {
         const auto show = [this](double time_s) { watch(time_s); };
         const bool scored = db::counts(record);
         const bool idle = record.verdict == assessment::Verdict::kNotAttempted;
-        if (scored || (!idle && !data_.detail.score.reasons.empty()))
+        // Of what was given the head says all that its one reason would.
+        const bool given = db::given_stage(record) > 0;
+        if (scored || (!idle && !given && !data_.detail.score.reasons.empty()))
             row->addWidget(make_reasons_card(context, data_, show), 3);
         // Strengths and weaknesses are points; of an idle attempt the card says how to begin.
         if (scored || idle) row->addWidget(make_themes_card(context, data_), 2);
@@ -74,6 +76,8 @@ class ResultPage : public Page {
         QStringList facts{task_title(context_, record.task_id), format_when(record.started_utc),
                           format_duration(record.duration_s), device_name(record.device),
                           end_word(record.end)};
+        if (const int stage = db::given_stage(record); stage > 0)
+            facts.insert(1, tr("from %1").arg(stage_title(context_, record.task_id, stage)));
         if (!own) facts.prepend(qstr(record.user_name));
         auto* below = new QHBoxLayout;
         below->setSpacing(kSpace12);

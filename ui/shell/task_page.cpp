@@ -46,6 +46,10 @@ class TaskPage : public Page {
         QLabel* goal = make_label(context.in(task_.goal), "muted");
         column->addWidget(goal);
         exam_.read(place);
+        // As it was chosen last, for each task; on this page, before it was shown in another
+        // language.
+        wanted_stage_ =
+            place.state.value("stage", context.settings().value(stageSetting(), 0)).toInt();
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace16);
         auto* left = new QVBoxLayout;
@@ -77,6 +81,7 @@ class TaskPage : public Page {
     [[nodiscard]] QString aboutTask() const override { return qstr(task_.id); }
     [[nodiscard]] QVariantMap state() const override {
         return {{"device", devices_->currentData()},
+                {"stage", stage()},
                 {"exam_course", qstr(exam_.course())},
                 {"exam_stage", exam_.stage() != nullptr ? qstr(exam_.stage()->id) : QString()}};
     }
@@ -129,6 +134,7 @@ class TaskPage : public Page {
         layout->addLayout(make_field(tr("Device"), devices_));
         device_note_ = make_label({}, "small");
         layout->addWidget(device_note_);
+        if (exam_.stage() == nullptr && !task_.stages.empty()) addStages(layout);
         start_ = make_button(context_, tr("Start the attempt"), "primary", "play");
         start_->setObjectName("start_attempt");
         start_->setProperty("scale", "large");
@@ -143,6 +149,31 @@ class TaskPage : public Page {
         QFrame* card = make_card(layout);
         card->setProperty("tone", "accent");
         return card;
+    }
+
+    /// In practice a long task may begin further on.
+    void addStages(QVBoxLayout* layout) {
+        stages_ = new QComboBox;
+        stages_->setObjectName("stage");
+        stages_->addItem(tr("the beginning"), 0);
+        for (size_t i = 0; i < task_.stages.size(); ++i)
+            stages_->addItem(context_.in(task_.stages[i].title), static_cast<int>(i) + 1);
+        layout->addLayout(make_field(tr("Begin at"), stages_));
+        stage_note_ = make_label(
+            tr("The scripted expert does what comes before; the first time this takes a while. An "
+               "attempt that begins here has no score and counts for nothing."),
+            "small");
+        stage_note_->setObjectName("stage_note");
+        layout->addWidget(stage_note_);
+        stages_->setCurrentIndex(std::max(0, stages_->findData(wanted_stage_)));
+        const auto show = [this] { stage_note_->setVisible(stage() > 0); };
+        connect(stages_, &QComboBox::currentIndexChanged, this, show);
+        show();
+    }
+
+    [[nodiscard]] QString stageSetting() const { return "stage/" + qstr(task_.id); }
+    [[nodiscard]] int stage() const {
+        return stages_ != nullptr ? stages_->currentData().toInt() : 0;
     }
 
     /// Hands for everybody; scripted operators only for demonstration accounts and educators,
@@ -246,6 +277,8 @@ class TaskPage : public Page {
             order.controls = qstr(layout_.text());
             order.started_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
             order.demonstration = context_.user().demonstration;
+            order.stage = stage();
+            if (stages_ != nullptr) context_.settings().setValue(stageSetting(), order.stage);
             if (exam_.stage() != nullptr) exam_.prepare(order, haptic_.count(order.device) > 0);
             context_.settings().setValue("device", order.device);
             order.store = server_place(context_.storeUrl());
@@ -259,7 +292,9 @@ class TaskPage : public Page {
     std::set<QString> haptic_;
     std::map<QString, QString> details_;
     QString wanted_;  // the device of last time, until somebody chooses
-    QComboBox* devices_ = nullptr;
+    QComboBox *devices_ = nullptr, *stages_ = nullptr;  // stages: in practice, where there are any
+    QLabel* stage_note_ = nullptr;
+    int wanted_stage_ = 0;
     QPushButton *start_ = nullptr, *change_ = nullptr;
     haptics::ControlLayout layout_ = own_layout(context_);
     QLabel *device_note_ = nullptr, *controls_ = nullptr;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/training.h"
 
+#include <QCoreApplication>
 #include <QDateTime>
 #include <algorithm>
 #include <map>
@@ -154,6 +155,15 @@ QString task_title(AppContext& context, const std::string& task_id) {
     QString title = QString::fromStdString(task_id);
     // A history may hold tasks that no longer ship: their id is title enough.
     (void)context.problemOf([&] { title = context.in(curriculum::load_task_title(task_id)); });
+    return title;
+}
+
+QString stage_title(AppContext& context, const std::string& task_id, int stage) {
+    QString title = QCoreApplication::translate("ResultPage", "stage %1").arg(stage);
+    (void)context.problemOf([&] {
+        const curriculum::Task task = curriculum::load_task(task_id);
+        title = context.in(curriculum::stage_of(task, stage).title);
+    });
     return title;
 }
 

@@ -69,6 +69,8 @@ void remarks_read(AppContext& context, int64_t attempt_id,
 
 /// Title of any task, also outside the course.
 [[nodiscard]] QString task_title(AppContext& context, const std::string& task_id);
+/// Title of a stage of it, in the reader's language; its number where the task has no such stage.
+[[nodiscard]] QString stage_title(AppContext& context, const std::string& task_id, int stage);
 /// What belongs to it; everything where it is not installed.
 [[nodiscard]] reports::TaskScope task_scope(AppContext& context, const std::string& task_id);
 

@@ -5029,6 +5029,14 @@
 <context>
     <name>ResultPage</name>
     <message>
+        <source>from %1</source>
+        <translation>od: %1</translation>
+    </message>
+    <message>
+        <source>stage %1</source>
+        <translation>etap %1</translation>
+    </message>
+    <message>
         <source>Back</source>
         <translation>Wstecz</translation>
     </message>
@@ -6181,6 +6189,18 @@
     <message>
         <source>Change keys and buttons</source>
         <translation>Zmień klawisze i przyciski</translation>
+    </message>
+    <message>
+        <source>the beginning</source>
+        <translation>początek</translation>
+    </message>
+    <message>
+        <source>Begin at</source>
+        <translation>Początek próby</translation>
+    </message>
+    <message>
+        <source>The scripted expert does what comes before; the first time this takes a while. An attempt that begins here has no score and counts for nothing.</source>
+        <translation>To, co przedtem, wykona symulowany ekspert; za pierwszym razem chwilę to trwa. Próba rozpoczęta od tego miejsca nie ma wyniku i do niczego się nie liczy.</translation>
     </message>
     <message>
         <source>Placode is still working. The attempt begins when that is done, so that the computer is free for it.</source>
