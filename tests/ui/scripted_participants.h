@@ -96,7 +96,6 @@ inline void ScriptedParticipants::consent(const std::string& code) {
         QApplication::sendEvent(pad, &move);
     }
     QTest::mouseRelease(pad, Qt::LeftButton, {}, QPoint(170, 60));
-    // Without a change of theme: it would make the page anew, and unsigned.
     if (codes.empty()) shell->keep(shell->window().grab(), "80_scenario_consent_signed");
     QVERIFY(press("consent_given"));
     QVERIFY(QTest::qWaitFor([&] { return progress(code).next == "demographics"; }, 20000));

@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QMouseEvent>
 #include <QRadioButton>
 #include <QSlider>
 
@@ -58,6 +59,11 @@ class ShellStudyTest : public QObject {
     [[nodiscard]] static bool nothingIsCut(const QTableWidget* table);
     /// Starts the attempt of the step that is shown and ends it after that time [s].
     void noKeyBegins(const QString& name);
+    /// The form of consent half filled: another theme, another language, back to the study.
+    void consentIsNotLostWithoutAQuestion();
+    /// Draws on the field for the signature.
+    void sign();
+    [[nodiscard]] QString tickedStatements();
     void perform(double time_s = 0.5);
     /// Presses it and is on another page before the work has ended; false when it does not end.
     [[nodiscard]] bool pressAndLeave(const QString& name);
@@ -152,6 +158,8 @@ void ShellStudyTest::consentNeedsEveryStatement() {
                  qPrintable(QString::number(words->height())));
     QVERIFY2(shell.text("consent_language").contains("clears the ticks"), "said before it is done");
     shell.shot("61_consent");
+    consentIsNotLostWithoutAQuestion();
+    if (QTest::currentTestFailed()) return;
     shell.context().setLanguage("pl");
     QVERIFY(shell.arrives(PageId::kStudyRun));
     shell.whole("62_consent_polish");
@@ -181,6 +189,68 @@ void ShellStudyTest::consentNeedsEveryStatement() {
     given->setFocus();
     QTest::keyClick(given, Qt::Key_Return);
     QVERIFY(QTest::qWaitFor([&] { return progress().next == "demographics"; }, 10000));
+}
+
+void ShellStudyTest::sign() {
+    auto* pad = shell_->find<QWidget>("signature");
+    QVERIFY(pad != nullptr);
+    QTest::mousePress(pad, Qt::LeftButton, {}, QPoint(20, 70));
+    for (int i = 1; i <= 8; ++i) {
+        const QPointF at(20 + 18 * i, 70 - (i % 3) * 20);
+        QMouseEvent move(QEvent::MouseMove, at, pad->mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                         {});
+        QApplication::sendEvent(pad, &move);
+    }
+    QTest::mouseRelease(pad, Qt::LeftButton, {}, QPoint(164, 50));
+}
+
+/// Ids of the boxes that are ticked, in their order.
+QString ShellStudyTest::tickedStatements() {
+    QStringList ticked;
+    for (const auto& statement : curriculum::load_study(kStudy).consent.statements) {
+        const auto* box =
+            shell_->find<QCheckBox>("consent_" + QString::fromStdString(statement.id));
+        if (box != nullptr && box->isChecked()) ticked << QString::fromStdString(statement.id);
+    }
+    return ticked.join(' ');
+}
+
+void ShellStudyTest::consentIsNotLostWithoutAQuestion() {
+    ShellHarness& shell = *shell_;
+    const auto statements = curriculum::load_study(kStudy).consent.statements;
+    QVERIFY(statements.size() > 1);
+    for (size_t i = 1; i < statements.size(); ++i)
+        QVERIFY(shell.click("consent_" + QString::fromStdString(statements[i].id)));
+    sign();
+    if (QTest::currentTestFailed()) return;
+    const QString ticked = tickedStatements();
+    QVERIFY(!ticked.isEmpty());
+    for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
+        shell.context().setTheme(theme);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QVERIFY(shell.arrives(PageId::kStudyRun));
+        QCOMPARE(tickedStatements(), ticked);
+        QVERIFY2(!shell.text("consent_missing").contains("signature"), "it is there still");
+    }
+    // Whoever says no to the question keeps language and form.
+    shell.refuseNext();
+    QVERIFY(shell.click("language"));
+    QCOMPARE(shell.context().language(), QString("en"));
+    QCOMPARE(tickedStatements(), ticked);
+    shell.refuseNext();
+    QVERIFY(shell.click("interrupt_run"));
+    QTest::qWait(100);
+    QCOMPARE(shell.window().current(), PageId::kStudyRun);
+    QCOMPARE(tickedStatements(), ticked);
+    // Consent is given in the language that it was read in.
+    shell.confirmNext();
+    QVERIFY(shell.click("language"));
+    QCOMPARE(shell.context().language(), QString("pl"));
+    QVERIFY(shell.arrives(PageId::kStudyRun));
+    QCOMPARE(tickedStatements(), QString());
+    QVERIFY(shell.click("language"));  // Nothing is ticked: no question.
+    QCOMPARE(shell.context().language(), QString("en"));
+    QVERIFY(shell.arrives(PageId::kStudyRun));
 }
 
 void ShellStudyTest::answerAll(const std::string& questionnaire) {

@@ -16,7 +16,8 @@ namespace {
 class ConsentForm : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(StudyRunPage)
  public:
-    ConsentForm(AppContext& context, const curriculum::Consent& consent, ConsentAnswers answers)
+    ConsentForm(AppContext& context, const curriculum::Consent& consent, ConsentAnswers answers,
+                const QVariantMap& draft)
         : context_(context), answers_(std::move(answers)) {
         auto* layout = new QVBoxLayout(this);
         layout->setContentsMargins(0, 0, 0, 0);
@@ -26,14 +27,38 @@ class ConsentForm : public QWidget {
         addStatements(layout, consent);
         addSignature(layout);
         addAnswers(layout);
+        takeFrom(draft);
     }
 
  private:
+    [[nodiscard]] QVariantMap draft() const {
+        QStringList agreed;
+        for (const auto& [box, statement] : boxes_)
+            if (box->isChecked()) agreed << qstr(statement->id);
+        if (agreed.isEmpty() && pad_->path().isEmpty() && !on_paper_->isChecked()) return {};
+        return {{"language", context_.language()},
+                {"agreed", agreed},
+                {"signature", pad_->path()},
+                {"on_paper", on_paper_->isChecked()}};
+    }
+
+    void takeFrom(const QVariantMap& draft) {
+        if (draft.value("language").toString() == context_.language()) {
+            const QStringList agreed = draft.value("agreed").toStringList();
+            for (const auto& [box, statement] : boxes_)
+                box->setChecked(agreed.contains(qstr(statement->id)));
+            pad_->draw(draft.value("signature").toString());
+            on_paper_->setChecked(draft.value("on_paper").toBool());
+        }
+        told_ = true;
+        showMissing();
+    }
+
     void addStatements(QVBoxLayout* layout, const curriculum::Consent& consent) {
         // Consent is given in the language that it was read in: nothing is carried over.
-        QLabel* before = make_label(tr("Choose the language first: another language or another "
-                                       "theme clears the ticks and the signature."),
-                                    "small");
+        QLabel* before = make_label(
+            tr("Choose the language first: another language clears the ticks and the signature."),
+            "small");
         before->setObjectName("consent_language");
         layout->addWidget(before);
         for (const auto& statement : consent.statements) {
@@ -87,6 +112,7 @@ class ConsentForm : public QWidget {
     }
 
     void showMissing() {
+        if (told_ && answers_.changed) answers_.changed(draft());
         pad_->setEnabled(!on_paper_->isChecked());
         QStringList still;
         const auto unread = std::count_if(boxes_.begin(), boxes_.end(), [](const auto& each) {
@@ -118,13 +144,14 @@ class ConsentForm : public QWidget {
     QCheckBox* on_paper_ = nullptr;
     QPushButton* agree_ = nullptr;
     QLabel* missing_ = nullptr;
+    bool told_ = false;  ///< What the page before held is in the form: changes are the hand's.
 };
 
 }  // namespace
 
 QWidget* make_consent_form(AppContext& context, const curriculum::Consent& consent,
-                           const ConsentAnswers& answers) {
-    return new ConsentForm(context, consent, answers);
+                           const ConsentAnswers& answers, const QVariantMap& draft) {
+    return new ConsentForm(context, consent, answers, draft);
 }
 
 }  // namespace placode::ui

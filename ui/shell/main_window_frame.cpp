@@ -188,8 +188,10 @@ void MainWindow::addAppearance(QHBoxLayout* bar) {
     language->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     language->setToolTip(context_.language() == "pl" ? "English" : "Polski");
     language->setAccessibleName(language->toolTip());
-    connect(language, &QToolButton::clicked, this,
-            [this] { context_.setLanguage(context_.language() == "pl" ? "en" : "pl"); });
+    connect(language, &QToolButton::clicked, this, [this] {
+        if (page_ && !page_->mayTranslate()) return;
+        context_.setLanguage(context_.language() == "pl" ? "en" : "pl");
+    });
     auto* theme = new QToolButton;
     theme->setObjectName("theme");
     theme->setIcon(line_icon(dark ? "sun" : "moon", context_.colors().text));

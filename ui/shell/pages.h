@@ -66,6 +66,8 @@ class Page : public QWidget {
     [[nodiscard]] virtual QString aboutTask() const { return {}; }
     /// False keeps the user here (unsaved answers).
     [[nodiscard]] virtual bool mayLeave() { return true; }
+    /// False keeps the language: what was filled in would not be true in another one.
+    [[nodiscard]] virtual bool mayTranslate() { return true; }
 
  Q_SIGNALS:
     void go(const placode::ui::Place& place);

@@ -37,6 +37,17 @@ QString SignaturePad::path() const {
     return length < kLeastLength ? QString() : text.trimmed();
 }
 
+void SignaturePad::draw(const QString& path) {
+    strokes_.clear();
+    const QStringList parts = path.split(' ', Qt::SkipEmptyParts);
+    for (qsizetype i = 0; i + 1 < parts.size(); i += 2) {
+        if (parts[i].startsWith('M') || strokes_.empty()) strokes_.emplace_back();
+        strokes_.back().emplace_back(parts[i].mid(1).toDouble(), parts[i + 1].toDouble());
+    }
+    update();
+    if (changed) changed();
+}
+
 void SignaturePad::clear() {
     strokes_.clear();
     update();

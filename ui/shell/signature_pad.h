@@ -19,6 +19,7 @@ class SignaturePad : public QWidget {
     /// Path of an SVG in pixels of the field, "M10 20 L11 22 ..."; empty until more than a dot was
     /// drawn.
     [[nodiscard]] QString path() const;
+    void draw(const QString& path);  ///< In place of what is there: what path() gave.
     void clear();
     std::function<void()> changed;  ///< After every stroke, and when it was cleared.
 

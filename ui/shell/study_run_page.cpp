@@ -29,7 +29,8 @@ class StudyRunPage : public Page {
         : Page(context),
           code_(place.text),
           study_(place.state.value("study").toString().toStdString()),
-          after_attempt_(place.state.value("after_attempt").toBool()) {
+          after_attempt_(place.state.value("after_attempt").toBool()),
+          consent_draft_(place.state.value("consent").toMap()) {
         context.require(db::Action::kRunQuestionnaire);
         for (const db::Progress& each : db::study_progress(context.store(), study_))
             if (each.participant.code == code_.toStdString()) progress_ = each;
@@ -50,6 +51,7 @@ class StudyRunPage : public Page {
         column->addWidget(stepsCard());
         const StudyStep* step =
             progress_.participant.withdrawal ? nullptr : protocol_.step(progress_.next);
+        if (step == nullptr || step->kind != StepKind::kConsent) consent_draft_.clear();
         if (step != nullptr)
             column->addWidget(stepCard(*step));
         else
@@ -73,7 +75,21 @@ class StudyRunPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Participant %1").arg(code_); }
-    [[nodiscard]] QVariantMap state() const override { return {{"study", qstr(study_)}}; }
+    [[nodiscard]] QVariantMap state() const override {
+        return {{"study", qstr(study_)}, {"consent", consent_draft_}};
+    }
+    [[nodiscard]] bool mayLeave() override {
+        return consent_draft_.isEmpty() || confirm(this, tr("Leave the consent unfinished?"),
+                                                   tr("The ticks and the signature are not kept."),
+                                                   tr("Leave"), tr("Stay here"));
+    }
+    [[nodiscard]] bool mayTranslate() override {
+        return consent_draft_.isEmpty() ||
+               confirm(this, tr("Read the consent in another language?"),
+                       tr("Consent is given in the language that it was read in: the ticks and the "
+                          "signature are cleared."),
+                       tr("Change the language"), tr("Stay here"));
+    }
 
  protected:
     /// Enter goes on: whoever submitted a questionnaire by keys has no other focus. Not after an
@@ -129,12 +145,14 @@ class StudyRunPage : public Page {
         layout->addWidget(make_label(nameOf(step), "title"));
         switch (step.kind) {
             case StepKind::kConsent:
-                layout->addWidget(
-                    make_consent_form(context_, protocol_.consent,
-                                      {[this](const auto& agreed, const QString& signature) {
-                                           giveConsent(agreed, signature);
-                                       },
-                                       [this] { refuseConsent(); }}));
+                layout->addWidget(make_consent_form(
+                    context_, protocol_.consent,
+                    {[this](const auto& agreed, const QString& signature) {
+                         giveConsent(agreed, signature);
+                     },
+                     [this] { refuseConsent(); },
+                     [this](const QVariantMap& draft) { consent_draft_ = draft; }},
+                    QVariantMap(consent_draft_)));
                 break;
             case StepKind::kBriefing:
                 for (const auto& text : step.text) layout->addWidget(make_label(context_.in(text)));
@@ -315,12 +333,17 @@ class StudyRunPage : public Page {
         });
     }
 
-    void again() { Q_EMIT go({PageId::kStudyRun, 0, code_, {{"study", qstr(study_)}}}); }
+    /// What stood in the form of consent is in the store, or of no use any more.
+    void again() {
+        consent_draft_.clear();
+        Q_EMIT go({PageId::kStudyRun, 0, code_, {{"study", qstr(study_)}}});
+    }
     void backToStudy() { Q_EMIT go({PageId::kStudies, 0, {}, {{"study", qstr(study_)}}}); }
 
     QString code_;
     std::string study_;
     bool after_attempt_ = false;  ///< One has just ended, perhaps by a key that is still held.
+    QVariantMap consent_draft_;   ///< Ticks and signature that are not recorded yet.
     curriculum::StudyProtocol protocol_;
     db::Progress progress_;
     QPushButton* main_ = nullptr;  ///< What leads on from this step.

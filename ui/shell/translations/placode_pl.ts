@@ -6168,8 +6168,36 @@
         <translation>oświadczenia do zaznaczenia: %1</translation>
     </message>
     <message>
-        <source>Choose the language first: another language or another theme clears the ticks and the signature.</source>
-        <translation>Najpierw wybierz język: zmiana języka lub motywu usuwa zaznaczenia i podpis.</translation>
+        <source>Choose the language first: another language clears the ticks and the signature.</source>
+        <translation>Najpierw wybierz język: zmiana języka usuwa zaznaczenia i podpis.</translation>
+    </message>
+    <message>
+        <source>Leave the consent unfinished?</source>
+        <translation>Opuścić niedokończoną zgodę?</translation>
+    </message>
+    <message>
+        <source>The ticks and the signature are not kept.</source>
+        <translation>Zaznaczenia i podpis nie zostaną zachowane.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Wyjdź</translation>
+    </message>
+    <message>
+        <source>Stay here</source>
+        <translation>Zostań tutaj</translation>
+    </message>
+    <message>
+        <source>Read the consent in another language?</source>
+        <translation>Czytać zgodę w innym języku?</translation>
+    </message>
+    <message>
+        <source>Consent is given in the language that it was read in: the ticks and the signature are cleared.</source>
+        <translation>Zgodę wyraża się w języku, w którym ją przeczytano: zaznaczenia i podpis zostaną usunięte.</translation>
+    </message>
+    <message>
+        <source>Change the language</source>
+        <translation>Zmień język</translation>
     </message>
     <message>
         <source>the signature, or the mark that it was signed on paper</source>
