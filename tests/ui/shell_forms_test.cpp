@@ -6,9 +6,12 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
+#include <QMouseEvent>
 #include <QSlider>
 #include <QSpinBox>
 #include <QWheelEvent>
+#include <QWindow>
 
 #include "shell_harness.h"
 #include "ui/shell/parts.h"
@@ -34,6 +37,7 @@ class ShellFormsTest : public QObject {
     void theWheelScrollsAndChangesNoAnswer();
     void whatWasTypedStaysInTheOtherLanguageAndAfterALock();
     void aQuestionThatNobodyAnswersKeepsNoSessionOpen();
+    void theSecondOfTwoClicksPressesNothingNew();
 
  private:
     [[nodiscard]] QAbstractButton* role(int bit) const {
@@ -304,6 +308,52 @@ void ShellFormsTest::aQuestionThatNobodyAnswersKeepsNoSessionOpen() {
     QVERIFY(QTest::qWaitFor([&] { return !shell.context().signedIn(); }, 10000));
     shell.lock_after_s = 0;
     shell.start();
+}
+
+// Where a button leads on, the second click of a double click met whatever stood there next: the
+// start of a procedure, or "Remove" of the question.
+void ShellFormsTest::theSecondOfTwoClicksPressesNothingNew() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("eva", "first password"));
+    shell.window().open({PageId::kAttempts, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kAttempts));
+    QVERIFY(QTest::qWaitForWindowExposed(&shell.window()));
+    auto* rail = shell.find<QToolButton>("rail_groups");
+    QVERIFY(rail != nullptr);
+    int clicks = 0;
+    connect(rail, &QToolButton::clicked, this, [&clicks] { ++clicks; });
+    const auto click = [&] {
+        QTest::mouseClick(shell.window().windowHandle(), Qt::LeftButton, {},
+                          rail->mapTo(&shell.window(), rail->rect().center()));
+    };
+    const int pause = QApplication::doubleClickInterval() + 100;
+    QTest::qWait(pause);
+    click();
+    QCOMPARE(shell.window().current(), PageId::kGroups);
+    click();
+    QCOMPARE(clicks, 1);
+    QTest::qWait(pause);
+    click();
+    QCOMPARE(clicks, 2);
+    // A question that opens below the pointer.
+    QTest::qWait(pause);
+    bool stood = false;
+    QTimer::singleShot(100, &shell.window(), [&stood] {
+        auto* box = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (box == nullptr) return;
+        const auto* yes = box->findChild<QPushButton*>("confirm_yes");
+        const QPoint at = yes->mapTo(box, yes->rect().center());
+        const QPointF there = box->mapToGlobal(at);
+        QWindow before;
+        QMouseEvent first(QEvent::MouseButtonPress, {1, 1}, {1, 1}, there, Qt::LeftButton,
+                          Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&before, &first);
+        QTest::mouseClick(box->windowHandle(), Qt::LeftButton, {}, at);
+        stood = box->isVisible();
+        box->reject();
+    });
+    QVERIFY(!confirm(&shell.window(), "Remove it?", "For good.", "Remove"));
+    QVERIFY2(stood, "the second of two clicks answers no question");
 }
 
 }  // namespace placode::ui

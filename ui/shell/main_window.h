@@ -5,9 +5,12 @@
 
 #include <QElapsedTimer>
 #include <QMainWindow>
+#include <QMouseEvent>
+#include <QPoint>
 #include <QPointer>
 #include <QTimer>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "ui/shell/notices.h"
@@ -133,6 +136,9 @@ class MainWindow : public QMainWindow {
     /// Enter that was held to end an attempt is still down when this window is in front again.
     [[nodiscard]] bool isLeftOverKey(QEvent* event);
     void onCameBack(Qt::ApplicationState state);
+    /// A double click at a button that leads on: its second press falls on whatever page or
+    /// question stands there by then, and is meant for none.
+    [[nodiscard]] bool isSecondOfTwo(const QObject* window, const QMouseEvent& press);
     void rememberPlace();
     /// The page that this user left last, if it may still be opened.
     [[nodiscard]] Place lastPlace() const;
@@ -171,6 +177,10 @@ class MainWindow : public QMainWindow {
     QTimer idle_;
     QTimer attempt_ended_;    ///< Runs for a moment after the end of an attempt.
     QElapsedTimer held_key_;  ///< Valid: a key may still be down. Since it was heard of last.
+    QElapsedTimer pressed_;   ///< Since the last press of the pointer.
+    QPoint pressed_at_;       ///< On the screen.
+    /// Window and page: only told apart, never looked into.
+    std::pair<const void*, const void*> pressed_on_{};
     Kept kept_;
     int64_t kept_for_ = 0;  ///< Whoever was sent to log-in, and nobody else; 0 = nobody.
 };

@@ -34,6 +34,13 @@ bool holds_a_value(QObject* object) {
 }  // namespace
 
 bool MainWindow::eventFilter(QObject* object, QEvent* event) {
+    const bool press =
+        event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    if (press && object->isWindowType() &&
+        isSecondOfTwo(object, *static_cast<QMouseEvent*>(event))) {
+        touched();
+        return true;
+    }
     switch (event->type()) {
         case QEvent::KeyRelease:
             if (object->isWindowType()) (void)isLeftOverKey(event);
@@ -84,6 +91,19 @@ bool MainWindow::isLeftOverKey(QEvent* event) {
     else if (!key->isAutoRepeat())
         held_key_.invalidate();
     return held;
+}
+
+bool MainWindow::isSecondOfTwo(const QObject* window, const QMouseEvent& press) {
+    const QPoint at = press.globalPosition().toPoint();
+    const std::pair<const void*, const void*> on{window, page_.data()};
+    if (pressed_.isValid() && pressed_.elapsed() < QApplication::doubleClickInterval() &&
+        (at - pressed_at_).manhattanLength() <= QApplication::startDragDistance() &&
+        on != pressed_on_)
+        return true;
+    pressed_.start();
+    pressed_at_ = at;
+    pressed_on_ = on;
+    return false;
 }
 
 // Escape belongs to an open list, menu or dialog first.
