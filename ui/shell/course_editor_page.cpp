@@ -159,6 +159,11 @@ class CourseEditorPage : public Page {
         list_->setTextElideMode(Qt::ElideRight);
         list_->setMinimumWidth(200);
         list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        none_ = make_label(tr("There are no stages yet. Press Add: a stage is one task, with what "
+                              "counts as mastered. Trainees go from the first to the last."),
+                           "muted");
+        none_->setObjectName("no_stages");
+        layout->addWidget(none_);
         layout->addWidget(list_, 1);
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace8);
@@ -282,6 +287,7 @@ class CourseEditorPage : public Page {
     void showStage() {
         const int row = list_->currentRow();
         form_->setVisible(row >= 0);
+        none_->setVisible(list_->count() == 0);
         remove_->setEnabled(row >= 0);
         up_->setEnabled(row > 0);
         down_->setEnabled(row >= 0 && row + 1 < list_->count());
@@ -355,7 +361,7 @@ class CourseEditorPage : public Page {
     StageForm* form_ = nullptr;
     CoursePreview* preview_ = nullptr;
     QLineEdit* reason_ = nullptr;
-    QLabel *course_problem_ = nullptr, *standing_ = nullptr;
+    QLabel *course_problem_ = nullptr, *standing_ = nullptr, *none_ = nullptr;
     QPushButton *undo_ = nullptr, *redo_ = nullptr, *up_ = nullptr, *down_ = nullptr,
                 *remove_ = nullptr, *publish_ = nullptr;
 };

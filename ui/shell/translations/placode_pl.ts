@@ -9362,6 +9362,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>A published version is never changed; a change is the next one.</source>
         <translation>Opublikowanej wersji nigdy się nie zmienia; zmiana to następna wersja.</translation>
     </message>
+    <message>
+        <source>There are no stages yet. Press Add: a stage is one task, with what counts as mastered. Trainees go from the first to the last.</source>
+        <translation>Nie ma jeszcze etapów. Naciśnij Dodaj: etap to jedno zadanie i to, co liczy się jako opanowanie. Uczestnicy przechodzą od pierwszego do ostatniego.</translation>
+    </message>
 </context>
 <context>
     <name>CourseWords</name>
