@@ -53,11 +53,10 @@ class AuditPage : public Page {
             when->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
             table_->setItem(row, 0, when);
             table_->setItem(row, 1, make_cell(actorWords(entry.actor)));
-            QTableWidgetItem* what = make_cell(audit_words(entry.action));
-            what->setToolTip(qstr(entry.action));
-            table_->setItem(row, 2, what);
-            table_->setItem(row, 3, thingCell(entry.object, names));
-            table_->setItem(row, 4, thingCell(entry.detail, names));
+            const QString object = qstr(entry.object), detail = qstr(entry.detail);
+            table_->setItem(row, 2, cellOf(audit_words(entry.action), qstr(entry.action)));
+            table_->setItem(row, 3, cellOf(audit_thing(object, names), object));
+            table_->setItem(row, 4, cellOf(audit_thing(detail, names), detail));
             ++row;
         }
         fit_columns(table_, 4);
@@ -88,11 +87,10 @@ class AuditPage : public Page {
     }
 
     /// Behind the words stands what the store wrote, where it says it otherwise.
-    static QTableWidgetItem* thingCell(const std::string& written, const AuditNames& names) {
-        QTableWidgetItem* cell = make_cell(audit_thing(qstr(written), names));
+    static QTableWidgetItem* cellOf(const QString& words, const QString& written) {
+        QTableWidgetItem* cell = make_cell(words);
         // Long ones are cut in the list.
-        cell->setToolTip(cell->text() != qstr(written) ? cell->text() + '\n' + qstr(written)
-                                                       : cell->text());
+        cell->setToolTip(words != written ? words + '\n' + written : words);
         return cell;
     }
 

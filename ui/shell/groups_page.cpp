@@ -209,7 +209,7 @@ class GroupsPage : public Page {
         for (const int64_t id : group.educators) add(id, tr("educator"));
         for (const int64_t id : group.members) add(id, tr("member"));
         fit_columns(table, 0);
-        table->setColumnWidth(1, 200);
+        table->setColumnWidth(1, std::max(200, table->columnWidth(1)));
         table->setColumnWidth(2, 140);
         table->setFixedHeight(std::clamp(table->rowCount(), 1, 9) * kTouchTarget + 50);
         return table;

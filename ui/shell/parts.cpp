@@ -9,6 +9,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTimer>
+#include <algorithm>
 
 #include "ui/shell/dialog_frame.h"
 #include "ui/shell/table_width.h"
@@ -51,6 +52,16 @@ class Picture : public QWidget {
     std::function<void(QPainter&, const QRectF&)> draw_;
     QPixmap cache_;
 };
+
+/// Width of the longest text of a column [px], of all of its rows.
+int longest_text(const QTableWidget& table, int column) {
+    QString longest;
+    for (int row = 0; row < table.rowCount(); ++row) {
+        const QTableWidgetItem* item = table.item(row, column);
+        if (item != nullptr && item->text().size() > longest.size()) longest = item->text();
+    }
+    return longest.contains('\n') ? 0 : table.fontMetrics().horizontalAdvance(longest);
+}
 
 }  // namespace
 
@@ -142,6 +153,7 @@ QTableWidget* make_table(const QStringList& headers, const QString& name) {
     table->horizontalHeader()->setHighlightSections(false);
     table->setShowGrid(false);
     table->setWordWrap(false);
+    table->setTextElideMode(Qt::ElideMiddle);  // Names differ at both of their ends.
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
     table->setSelectionMode(QAbstractItemView::SingleSelection);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -162,14 +174,17 @@ QTableWidgetItem* make_number_cell(const QString& text, double value) {
 
 void fit_columns(QTableWidget* table, int stretch) {
     QHeaderView* header = table->horizontalHeader();
-    // Of a thousand rows the first ones tell how wide a column is; all of them take 100 ms.
+    // Of a thousand rows the first ones tell how wide a column is, and the longest text of the
+    // others: to ask each of them for its size takes 100 ms.
     header->setResizeContentsPrecision(50);
     table->resizeColumnsToContents();
     for (int c = 0; c < table->columnCount(); ++c) {
         // Room for the padding of the style sheet, which the size hint of a cell leaves out.
         header->setSectionResizeMode(
             c, c == stretch ? QHeaderView::Stretch : QHeaderView::Interactive);
-        if (c != stretch) table->setColumnWidth(c, table->columnWidth(c) + kSpace12);
+        if (c != stretch)
+            table->setColumnWidth(
+                c, std::max(table->columnWidth(c), longest_text(*table, c) + kSpace12) + kSpace12);
         const QTableWidgetItem* first = table->item(0, c);
         if (first != nullptr && (first->textAlignment() & Qt::AlignRight) != 0)
             table->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -21,8 +21,9 @@ struct TableFit {
 };
 
 /// Leaves out columns, then narrows the widest ones, instead of letting the table scroll sideways;
-/// what is cut off ends in dots and stands in the tool tip. Columns of buttons are not narrowed.
-/// fit_columns() sees to it without columns to leave out; called after it for another fit.
+/// what is cut has dots in its middle and stands in the tool tip. Columns of buttons are not
+/// narrowed. fit_columns() sees to it without columns to leave out; called after it for another
+/// fit.
 void keep_within(QTableWidget* table, const TableFit& fit);
 /// When the page is built, unless it has called keep_within() by then.
 void keep_within_later(QTableWidget* table, int stretch);
