@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDateEdit>
 #include <QDialog>
 #include <QMouseEvent>
 #include <QSlider>
@@ -15,6 +16,7 @@
 
 #include "shell_harness.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 
@@ -38,6 +40,8 @@ class ShellFormsTest : public QObject {
     void whatWasTypedStaysInTheOtherLanguageAndAfterALock();
     void aQuestionThatNobodyAnswersKeepsNoSessionOpen();
     void theSecondOfTwoClicksPressesNothingNew();
+    void whatWasChosenStaysWithWhatWasTyped();
+    void aHalfFilledFormIsThereAgainAfterAnotherPage();
 
  private:
     [[nodiscard]] QAbstractButton* role(int bit) const {
@@ -354,6 +358,69 @@ void ShellFormsTest::theSecondOfTwoClicksPressesNothingNew() {
     });
     QVERIFY(!confirm(&shell.window(), "Remove it?", "For good.", "Remove"));
     QVERIFY2(stood, "the second of two clicks answers no question");
+}
+
+// The name stayed and the roles went back to trainee: the person was added with other rights than
+// had been ticked.
+void ShellFormsTest::whatWasChosenStaysWithWhatWasTyped() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("ada", "correct horse"));
+    shell.window().open({PageId::kPeople, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kPeople));
+    QVERIFY(shell.type("new_name", "Half Filled"));
+    role(1)->setChecked(false);
+    role(2)->setChecked(true);
+    const auto anew = [&shell] {
+        for (const char* language : {"pl", "en"}) shell.context().setLanguage(language);
+        for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight})
+            shell.context().setTheme(theme);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    };
+    anew();
+    QCOMPARE(shell.find<QLineEdit>("new_name")->text(), QString("Half Filled"));
+    QVERIFY(!role(1)->isChecked() && role(2)->isChecked());
+    shell.window().open({PageId::kAdmissions, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kAdmissions));
+    auto* as = shell.find<QComboBox>("invite_role");
+    as->setCurrentIndex(2);
+    const QDate day = shell.find<QDateEdit>("invite_until")->date().addDays(3);
+    shell.find<QDateEdit>("invite_until")->setDate(day);
+    anew();
+    QCOMPARE(shell.find<QComboBox>("invite_role")->currentIndex(), 2);
+    QCOMPARE(shell.find<QDateEdit>("invite_until")->date(), day);
+    // Words that are no entry of a list stay words.
+    QWidget page;
+    auto* list = new QComboBox(&page);
+    list->setObjectName("list");
+    list->setEditable(true);
+    list->addItem("One", 1);
+    list->setEditText("On");
+    keep_choice(list);
+    const QVariantMap typed = typed_texts(page);
+    list->setEditText("");
+    type_again(page, typed);
+    QCOMPARE(list->currentText(), QString("On"));
+}
+
+void ShellFormsTest::aHalfFilledFormIsThereAgainAfterAnotherPage() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("ada", "correct horse"));
+    const auto visit = [&shell](PageId page) {
+        shell.window().open({page, 0, {}, {}});
+        return shell.arrives(page);
+    };
+    QVERIFY(visit(PageId::kPeople));
+    QVERIFY(shell.type("new_name", "Looked Up Elsewhere"));
+    role(4)->setChecked(true);
+    QVERIFY(visit(PageId::kGroups));
+    QVERIFY(visit(PageId::kPeople));
+    QCOMPARE(shell.find<QLineEdit>("new_name")->text(), QString("Looked Up Elsewhere"));
+    QVERIFY(role(4)->isChecked());
+    // Whoever signs in next finds an empty form.
+    QVERIFY(visit(PageId::kGroups));
+    QVERIFY(shell.signIn("ada", "correct horse"));
+    QVERIFY(visit(PageId::kPeople));
+    QCOMPARE(shell.find<QLineEdit>("new_name")->text(), QString());
 }
 
 }  // namespace placode::ui

@@ -14,6 +14,7 @@
 #include "ui/shell/local_profile_card.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -191,6 +192,7 @@ class AccountPage : public Page {
             "muted"));
         recordings_ = new QCheckBox(tr("With the recordings of all attempts"));
         recordings_->setObjectName("data_recordings");
+        keep_choice(recordings_);
         layout->addWidget(recordings_);
         QPushButton* save = make_button(context_, tr("Save my data"), "secondary", "download");
         save->setObjectName("save_my_data");

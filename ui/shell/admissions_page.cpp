@@ -15,6 +15,7 @@
 #include "ui/shell/erasure_requests_card.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -36,6 +37,7 @@ class AdmissionsPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Invitations and requests"); }
+    [[nodiscard]] bool keepsTyped() const override { return true; }
 
  private:
     QWidget* inviteCard() {
@@ -69,6 +71,9 @@ class AdmissionsPage : public Page {
         until_->setMinimumWidth(150);
         until_->setDisplayFormat(kDayFormat);
         row->addLayout(make_field(tr("Last day"), until_), 1);
+        for (QWidget* field : {static_cast<QWidget*>(role_), static_cast<QWidget*>(group_),
+                               static_cast<QWidget*>(until_)})
+            keep_choice(field);
         QPushButton* invite = make_button(context_, tr("Make a code"), "primary", "plus");
         invite->setObjectName("invite");
         connect(invite, &QPushButton::clicked, this, [this] { this->invite(); });

@@ -14,6 +14,7 @@
 #include "ui/shell/day_text.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/trainee_chooser.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -61,6 +62,9 @@ class AssignCard : public QFrame {
         has_due_->setObjectName("assign_has_due");
         has_due_->setChecked(true);
         connect(has_due_, &QCheckBox::toggled, due_, &QWidget::setEnabled);
+        for (QWidget* field : {static_cast<QWidget*>(target_), static_cast<QWidget*>(from_),
+                               static_cast<QWidget*>(due_), static_cast<QWidget*>(has_due_)})
+            keep_choice(field);
         row->addWidget(has_due_, 0, Qt::AlignBottom);
         row->addStretch();
         QPushButton* assign = make_button(context_, tr("Assign"), "primary", "plus");

@@ -15,6 +15,7 @@
 #include "ui/shell/parts.h"
 #include "ui/shell/trainee_chooser.h"
 #include "ui/shell/training.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -92,6 +93,9 @@ class GrantsCard : public QFrame {
         connect(reason_, &QLineEdit::returnPressed, grant, &QPushButton::click);
         row->addWidget(grant, 0, Qt::AlignBottom);
         layout->addLayout(row);
+        for (QWidget* field : {static_cast<QWidget*>(person_), static_cast<QWidget*>(stage_),
+                               static_cast<QWidget*>(attempts_)})
+            keep_choice(field);
     }
 
     /// 0 = it is not clear who.

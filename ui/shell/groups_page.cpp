@@ -14,6 +14,7 @@
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/trainee_chooser.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -151,6 +152,8 @@ class GroupsPage : public Page {
         role_->addItem(tr("member"), static_cast<int>(GroupRole::kMember));
         role_->addItem(tr("educator"), static_cast<int>(GroupRole::kEducator));
         row->addLayout(make_field(tr("As"), role_));
+        keep_choice(person_);
+        keep_choice(role_);
         QPushButton* put = make_button(context_, tr("Put into the group"), "primary", "plus");
         put->setObjectName("group_add");
         connect(put, &QPushButton::clicked, this, [this] { this->put(); });

@@ -135,6 +135,16 @@ Place MainWindow::home() const {
     return {page, 0, {}, {}};
 }
 
+QString MainWindow::draftOf(const Place& place) {
+    return QString("%1/%2/%3").arg(static_cast<int>(place.page)).arg(place.number).arg(place.text);
+}
+
+// A page that opens itself anew has done what was typed for.
+void MainWindow::keepTyped(const Place& next) {
+    if (page_ && page_->keepsTyped() && draftOf(next) != draftOf(place_))
+        drafts_[draftOf(place_)] = typed_texts(*page_);
+}
+
 bool MainWindow::handedOver() const {
     return context_.signedIn() && is_participants(context_, place_);
 }
@@ -147,6 +157,7 @@ void MainWindow::open(const Place& place) {
         updateFrame();
         return;
     }
+    keepTyped(place);
     // "Back to the result" is a step back: from there nobody wants to go on to the replay again.
     if (!trail_.empty() && is_same(trail_.back(), place)) {
         trail_.pop_back();
@@ -171,6 +182,7 @@ void MainWindow::visit(const Place& place) {
 void MainWindow::goBack() {
     const Place last = trail_.empty() ? home() : trail_.back();
     if (handedOver() && !is_participants(context_, last) && !mayTakeBack()) return;
+    keepTyped(last);
     if (!trail_.empty()) trail_.pop_back();
     notices_->closeAll();
     showPlace(last);
@@ -212,6 +224,8 @@ void MainWindow::showPage(Page* made) {
         Qt::QueuedConnection);
     connect(made, &Page::notice, this, [this](const QString& text) { announce(text); });
     connect(made, &Page::written, this, &MainWindow::announce);
+    if (auto draft = drafts_.extract(draftOf(place_)); !draft.empty())
+        type_again(*made, draft.mapped());
     rememberPlace();
     updateFrame();
 }

@@ -10,6 +10,7 @@
 #include <QPointer>
 #include <QTimer>
 #include <functional>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -80,6 +81,9 @@ class MainWindow : public QMainWindow {
     };
     [[nodiscard]] Kept whatIsShown() const;
     void showAgain(const Kept& kept);
+    /// Of a page that is left for another one and comes back with it.
+    void keepTyped(const Place& next);
+    [[nodiscard]] static QString draftOf(const Place& place);
     /// A participant is at the screen: no rail, no search, no other page without the password.
     [[nodiscard]] bool handedOver() const;
     /// False keeps the screen with the participant.
@@ -164,6 +168,7 @@ class MainWindow : public QMainWindow {
     AppContext& context_;
     Place place_;
     std::vector<Place> trail_;
+    std::map<QString, QVariantMap> drafts_;  ///< Typed on pages that were left, by draftOf().
     QPointer<Page> page_;
     Notices* notices_ = nullptr;
     QWidget *rail_ = nullptr, *bar_ = nullptr;

@@ -181,6 +181,7 @@ bool MainWindow::comesBack(const Kept& kept) {
 
 void MainWindow::onUserChanged() {
     trail_.clear();
+    drafts_.clear();
     notices_->closeAll();  // They were for whoever was here before.
     buildFrame();
     if (!context_.signedIn()) {

@@ -13,6 +13,7 @@
 #include "ui/shell/parts.h"
 #include "ui/shell/signature_pad.h"
 #include "ui/shell/study_parts.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -44,6 +45,7 @@ class NamesCard : public QFrame {
         grid->setVerticalSpacing(kSpace8);
         path_ = make_line("key_path", tr("File of the key"));
         const QString kept = context_.storeSetting("key/" + qstr(study_)).toString();
+        keep_choice(path_);
         path_->setText(kept.isEmpty() ? qstr(db::default_key_path(context_.storeUrl(), study_))
                                       : kept);
         passphrase_ = make_line(

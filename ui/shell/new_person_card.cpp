@@ -9,6 +9,7 @@
 
 #include "ui/shell/account_fields.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -43,6 +44,7 @@ NewPersonCard::NewPersonCard(AppContext& context, Page& page, std::function<void
                                 db::Role::kAdministrator}) {
         auto* box = new QCheckBox(role_names(static_cast<db::Roles>(role)));
         box->setObjectName(QString("role_%1").arg(static_cast<int>(role)));
+        keep_choice(box);
         roles_.emplace_back(box, role);
         role_boxes_->addWidget(box);
     }

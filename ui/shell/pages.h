@@ -66,6 +66,9 @@ class Page : public QWidget {
     [[nodiscard]] virtual QString aboutTask() const { return {}; }
     /// False keeps the user here (unsaved answers).
     [[nodiscard]] virtual bool mayLeave() { return true; }
+    /// True: what was typed and not saved is there again when the same person comes back to the
+    /// page. Not where somebody else's words stand, nor where leaving asks.
+    [[nodiscard]] virtual bool keepsTyped() const { return false; }
     /// False keeps the language: what was filled in would not be true in another one.
     [[nodiscard]] virtual bool mayTranslate() { return true; }
 

@@ -60,6 +60,7 @@ class PeoplePage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("People"); }
+    [[nodiscard]] bool keepsTyped() const override { return true; }
 
  private:
     /// Beside the list where there is room for both, below it elsewhere.

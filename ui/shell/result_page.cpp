@@ -62,6 +62,7 @@ class ResultPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Result"); }
+    [[nodiscard]] bool keepsTyped() const override { return true; }
     [[nodiscard]] QString aboutTask() const override { return qstr(data_.detail.record.task_id); }
 
  private:

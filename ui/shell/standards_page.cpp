@@ -17,6 +17,7 @@
 #include "ui/shell/passphrase_dialog.h"
 #include "ui/shell/standard_cards.h"
 #include "ui/shell/training.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -158,6 +159,7 @@ class StandardsPage : public Page {
         norms->setSpacing(kSpace16);
         centre_ = new QLineEdit(context_.storeSetting("centre").toString());
         centre_->setObjectName("centre_name");
+        keep_choice(centre_);
         norms->addLayout(make_field(tr("Name of this centre"), centre_), 1);
         QPushButton* make =
             make_button(context_, tr("Make a norm pack of these groups"), "secondary", "norms");

@@ -9,6 +9,7 @@
 
 #include "ui/shell/details.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -72,6 +73,7 @@ QLineEdit* add_setting(QGridLayout* grid, const haptics::StationKey& key, const 
     label->setWordWrap(false);
     auto* field = new QLineEdit(qstr(now.text(key.key)));
     field->setObjectName("key_" + name);
+    keep_choice(field);
     field->setAccessibleName(words);
     field->setMinimumWidth(170);
     label->setBuddy(field);

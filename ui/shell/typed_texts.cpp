@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/typed_texts.h"
 
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDateEdit>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QSpinBox>
 #include <QTextDocument>
 
 namespace placode::ui {
@@ -14,7 +18,43 @@ bool is_ours(const QWidget& field) {
     return !field.objectName().isEmpty() && !field.objectName().startsWith("qt_");
 }
 
+constexpr const char* kKept = "kept_choice";
+bool is_kept(const QWidget& field) { return field.property(kKept).toBool(); }
+QString choice_of(const QWidget& field) { return "choice/" + field.objectName(); }
+
+/// What is chosen in a field; not valid where it is none that has a choice.
+QVariant chosen_in(const QWidget& field) {
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&field))
+        return button->isChecked();
+    if (const auto* spin = qobject_cast<const QSpinBox*>(&field)) return spin->value();
+    if (const auto* day = qobject_cast<const QDateEdit*>(&field)) return day->date();
+    const auto* list = qobject_cast<const QComboBox*>(&field);
+    if (list == nullptr) return {};
+    // Words that were typed are no entry of the list, and its entries have other words in another
+    // language.
+    const bool entry = list->currentText() == list->itemText(list->currentIndex());
+    return QVariantMap{{"data", entry ? list->currentData() : QVariant()},
+                       {"text", list->currentText()}};
+}
+
+void choose_in(QWidget& field, const QVariant& choice) {
+    if (auto* button = qobject_cast<QAbstractButton*>(&field)) button->setChecked(choice.toBool());
+    if (auto* spin = qobject_cast<QSpinBox*>(&field)) spin->setValue(choice.toInt());
+    if (auto* day = qobject_cast<QDateEdit*>(&field)) day->setDate(choice.toDate());
+    auto* list = qobject_cast<QComboBox*>(&field);
+    if (list == nullptr) return;
+    const QVariantMap chosen = choice.toMap();
+    const QVariant data = chosen.value("data");
+    const int row = data.isValid() ? list->findData(data) : -1;
+    if (row >= 0)
+        list->setCurrentIndex(row);
+    else if (list->isEditable())
+        list->setEditText(chosen.value("text").toString());
+}
+
 }  // namespace
+
+void keep_choice(QWidget* field) { field->setProperty(kKept, true); }
 
 QVariantMap typed_texts(const QWidget& page) {
     QVariantMap texts;
@@ -25,13 +65,18 @@ QVariantMap typed_texts(const QWidget& page) {
     for (const auto* sheet : page.findChildren<QPlainTextEdit*>())
         if (is_ours(*sheet) && sheet->document()->isModified() && !sheet->isReadOnly())
             texts.insert(sheet->objectName(), sheet->toPlainText());
+    for (const auto* field : page.findChildren<QWidget*>())
+        if (is_kept(*field))
+            if (const QVariant choice = chosen_in(*field); choice.isValid())
+                texts.insert(choice_of(*field), choice);
     return texts;
 }
 
 void type_again(const QWidget& page, const QVariantMap& texts) {
     for (auto* line : page.findChildren<QLineEdit*>()) {
         const QString text = texts.value(line->objectName()).toString();
-        if (text.isEmpty() || !line->text().isEmpty() || line->isReadOnly() ||
+        if (text.isEmpty() || text == line->text() ||
+            (!line->text().isEmpty() && !is_kept(*line)) || line->isReadOnly() ||
             line->echoMode() != QLineEdit::Normal)
             continue;
         line->setText(text);
@@ -44,6 +89,9 @@ void type_again(const QWidget& page, const QVariantMap& texts) {
         sheet->setPlainText(text);
         sheet->document()->setModified(true);
     }
+    for (auto* field : page.findChildren<QWidget*>())
+        if (is_kept(*field) && texts.contains(choice_of(*field)))
+            choose_in(*field, texts.value(choice_of(*field)));
 }
 
 }  // namespace placode::ui

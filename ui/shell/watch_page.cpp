@@ -57,6 +57,7 @@ class WatchPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Watch"); }
+    [[nodiscard]] bool keepsTyped() const override { return true; }
     [[nodiscard]] QString aboutTask() const override { return qstr(record_.task_id); }
     [[nodiscard]] QVariantMap state() const override {
         return {{"from_s", replay_->running() ? replay_->state().time_s : from_s_},
