@@ -226,7 +226,22 @@ void ShellConductTest::withdraw(int row, db::WithdrawalMode mode) {
     auto* box = shell_->find<QComboBox>("withdraw_mode");
     box->setCurrentIndex(box->findData(static_cast<int>(mode)));
     QVERIFY(shell_->type("withdraw_reason", "not given"));
-    if (mode == db::WithdrawalMode::kErase) shell_->confirmNext();
+    shell_->refuseNext();
+    QVERIFY(press("withdraw"));
+    const auto before = store().studies().participants(kStudy);
+    QVERIFY2(!before.at(static_cast<size_t>(row)).withdrawal, "one press does not end a run");
+    // Made anew in another theme, the card is about the same participant still.
+    const QString code = table->item(row, 0)->text();
+    for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
+        shell_->context().setTheme(theme);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    table = shell_->find<QTableWidget>("progress_table");
+    QCOMPARE(table->item(table->currentRow(), 0)->text(), code);
+    QCOMPARE(shell_->find<QComboBox>("withdraw_mode")->currentData().toInt(),
+             static_cast<int>(mode));
+    QCOMPARE(shell_->find<QLineEdit>("withdraw_reason")->text(), QString("not given"));
+    shell_->confirmNext();
     QVERIFY(press("withdraw"));
     QVERIFY(QTest::qWaitFor(
         [&] {

@@ -19,6 +19,7 @@
 #include "ui/shell/study_publishing.h"
 #include "ui/shell/study_standing.h"
 #include "ui/shell/table_width.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -227,6 +228,7 @@ class ProtocolCard : public QFrame {
         mode_->addItem(tr("use the data to date"), static_cast<int>(db::WithdrawalMode::kKeep));
         mode_->addItem(tr("use the data no more"), static_cast<int>(db::WithdrawalMode::kStop));
         mode_->addItem(tr("erase the data"), static_cast<int>(db::WithdrawalMode::kErase));
+        keep_choice(mode_);
         row->addWidget(mode_);
         reason_ = new QLineEdit;
         reason_->setObjectName("withdraw_reason");
@@ -263,15 +265,24 @@ class ProtocolCard : public QFrame {
             {PageId::kStudies, 0, {}, {{"study", qstr(study_)}, {"participant", qstr(code)}}});
     }
 
+    /// None of the three can be taken back, and the list begins with somebody selected.
+    [[nodiscard]] bool asksToWithdraw(const std::string& code, db::WithdrawalMode mode) {
+        if (mode == db::WithdrawalMode::kErase)
+            return confirm(this, tr("Erase the data of %1?").arg(qstr(code)),
+                           tr("Answers and attempts of the study are deleted. The code stays."),
+                           tr("Erase"));
+        return confirm(this, tr("Withdraw %1?").arg(qstr(code)),
+                       mode == db::WithdrawalMode::kKeep
+                           ? tr("The run ends here for good. The data to date may be used.")
+                           : tr("The run ends here for good. The data are used no more."),
+                       tr("Withdraw"));
+    }
+
     void withdraw() {
         if (selected() == nullptr) return;
         const std::string code = selected()->participant.code;
         const auto mode = static_cast<db::WithdrawalMode>(mode_->currentData().toInt());
-        if (mode == db::WithdrawalMode::kErase &&
-            !confirm(this, tr("Erase the data of %1?").arg(qstr(code)),
-                     tr("Answers and attempts of the study are deleted. The code stays."),
-                     tr("Erase")))
-            return;
+        if (!asksToWithdraw(code, mode)) return;
         context_.guard(tr("Withdrawing %1").arg(qstr(code)), [&] {
             context_.require(db::Action::kRunQuestionnaire);
             context_.store().studies().withdraw(study_, code, mode,

@@ -62,9 +62,14 @@ class StudiesPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Studies"); }
-    /// A change of theme or language comes back to the same study.
+    /// A change of theme or language comes back to the same study and participant: "Withdraw" must
+    /// not be about somebody else by then.
     [[nodiscard]] QVariantMap state() const override {
-        return {{"study", study_}, {"erased", erased_}};
+        const auto* table = findChild<QTableWidget*>("progress_table");
+        const auto* code = table != nullptr ? table->item(table->currentRow(), 0) : nullptr;
+        return {{"study", study_},
+                {"erased", erased_},
+                {"participant", code != nullptr ? code->text() : QString()}};
     }
 
  private:

@@ -4764,6 +4764,18 @@
         <source>Check the consent text</source>
         <translation>Sprawdź tekst zgody</translation>
     </message>
+    <message>
+        <source>Withdraw %1?</source>
+        <translation>Wycofać uczestnika %1?</translation>
+    </message>
+    <message>
+        <source>The run ends here for good. The data to date may be used.</source>
+        <translation>Badanie tego uczestnika kończy się na dobre. Dotychczasowe dane mogą być używane.</translation>
+    </message>
+    <message>
+        <source>The run ends here for good. The data are used no more.</source>
+        <translation>Badanie tego uczestnika kończy się na dobre. Dane nie będą już używane.</translation>
+    </message>
 </context>
 <context>
     <name>RatingsPage</name>
