@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QDateEdit>
 #include <QDialog>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QSlider>
 #include <QSpinBox>
@@ -40,6 +41,7 @@ class ShellFormsTest : public QObject {
     void whatWasTypedStaysInTheOtherLanguageAndAfterALock();
     void aQuestionThatNobodyAnswersKeepsNoSessionOpen();
     void theSecondOfTwoClicksPressesNothingNew();
+    void aButtonThatActsIsPressedOnce();
     void whatWasChosenStaysWithWhatWasTyped();
     void aHalfFilledFormIsThereAgainAfterAnotherPage();
 
@@ -358,6 +360,44 @@ void ShellFormsTest::theSecondOfTwoClicksPressesNothingNew() {
     });
     QVERIFY(!confirm(&shell.window(), "Remove it?", "For good.", "Remove"));
     QVERIFY2(stood, "the second of two clicks answers no question");
+}
+
+// A double click granted twice, made two codes of which the first was never seen, and a held Enter
+// did it as often as the keyboard repeats.
+void ShellFormsTest::aButtonThatActsIsPressedOnce() {
+    ShellHarness& shell = *shell_;
+    int clicks = 0;
+    const auto made = [&](const char* role) {
+        QPushButton* button = make_button(shell.context(), "Act", role);
+        button->setParent(&shell.window());
+        button->setGeometry(300, 300, 120, 44);
+        button->show();
+        button->raise();
+        connect(button, &QPushButton::clicked, this, [&clicks] { ++clicks; });
+        return std::unique_ptr<QPushButton>(button);
+    };
+    const auto click = [&](const QPushButton& button) {
+        QTest::mouseClick(shell.window().windowHandle(), Qt::LeftButton, {},
+                          button.mapTo(&shell.window(), button.rect().center()));
+    };
+    const int pause = QApplication::doubleClickInterval() + 100;
+    QVERIFY(QTest::qWaitForWindowExposed(&shell.window()));
+    for (const auto& [role, wanted] : {std::pair{"primary", 1}, {"danger", 1}, {"quiet", 2}}) {
+        const auto button = made(role);
+        QTest::qWait(pause);
+        clicks = 0;
+        click(*button);
+        click(*button);
+        QVERIFY2(clicks == wanted, role);
+    }
+    const auto button = made("secondary");
+    button->setFocus();
+    clicks = 0;
+    for (const bool repeated : {false, true, true}) {
+        QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier, "\r", repeated);
+        QCoreApplication::sendEvent(shell.window().windowHandle(), &enter);
+    }
+    QCOMPARE(clicks, 1);
 }
 
 // The name stayed and the roles went back to trainee: the person was added with other rights than

@@ -63,6 +63,7 @@ class ShellGalleryTest : public QObject {
     void nothingIsCutOffAtAnySizeInAnyLanguage();
     void everythingThatTakesTheFocusIsNamed();
     void normsAndTheChartOfFailuresAreShown();
+    void thePackThatIsUsedStaysSelected();
 
  private:
     void lookAt(const TourStop& stop, const QString& who, QStringList& wrong);
@@ -180,6 +181,26 @@ void ShellGalleryTest::normsAndTheChartOfFailuresAreShown() {
     QVERIFY2(!shell.text("learning_words").contains("gain"),  // Later scores are lower.
              qPrintable(shell.text("learning_words")));
     shell.whole("96_history_cusum");
+}
+
+// The list was filled anew and began with its first pack: the second press used that one.
+void ShellGalleryTest::thePackThatIsUsedStaysSelected() {
+    ShellHarness& shell = *shell_;
+    curriculum::NormPack second = shell.owner().norms().list({}).front().pack;
+    second.made_utc = "2026-04-02T10:00:00Z";
+    (void)db::keep_own_norms(shell.owner(), second, "four words are good");
+    QVERIFY(shell.signIn("demo.educator", "placode-demo"));
+    shell.window().open({PageId::kNorms, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kNorms));
+    auto* table = shell.find<QTableWidget>("norms_table");
+    QCOMPARE(table->rowCount(), 2);
+    for (const int row : {0, 1}) {
+        table->selectRow(row);
+        const QString made = table->item(row, 2)->text();
+        if (shell.find<QPushButton>("use_norms")->isEnabled()) QVERIFY(shell.click("use_norms"));
+        QCOMPARE(table->item(table->currentRow(), 2)->text(), made);
+        QVERIFY2(!shell.find<QPushButton>("use_norms")->isEnabled(), "it is in use");
+    }
 }
 
 }  // namespace placode::ui

@@ -141,7 +141,8 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] bool isLeftOverKey(QEvent* event);
     void onCameBack(Qt::ApplicationState state);
     /// A double click at a button that leads on: its second press falls on whatever page or
-    /// question stands there by then, and is meant for none.
+    /// question stands there by then, and is meant for none. Nor does it do once more what a
+    /// primary or destructive button has just done.
     [[nodiscard]] bool isSecondOfTwo(const QObject* window, const QMouseEvent& press);
     void rememberPlace();
     /// The page that this user left last, if it may still be opened.

@@ -8,6 +8,8 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QKeyEvent>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QWindow>
 #include <utility>
@@ -29,6 +31,23 @@ bool holds_a_value(QObject* object) {
            qobject_cast<QAbstractSpinBox*>(object) != nullptr ||
            (qobject_cast<QAbstractSlider*>(object) != nullptr &&
             qobject_cast<QScrollBar*>(object) == nullptr);
+}
+
+/// A button that nobody means to press twice in half a second; others step through a list.
+bool acts_once(const QWidget* pressed) {
+    const auto* button = qobject_cast<const QPushButton*>(pressed);
+    if (button == nullptr) return false;
+    const QString role = button->property("role").toString();
+    return role == "primary" || role == "danger";
+}
+
+/// Enter that is held presses a button, and submits a form, thirty times a second.
+bool is_held_enter(const QEvent& event, const QWidget* focus) {
+    if (event.type() != QEvent::KeyPress) return false;
+    const auto& key = static_cast<const QKeyEvent&>(event);
+    return key.isAutoRepeat() && (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter) &&
+           (qobject_cast<const QPushButton*>(focus) != nullptr ||
+            qobject_cast<const QLineEdit*>(focus) != nullptr);
 }
 
 }  // namespace
@@ -53,6 +72,11 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
             touched();
             // Of the window only: the same press comes again for the widget in it.
             if (event->type() == QEvent::KeyPress && object->isWindowType() && isLeftOverKey(event))
+                return true;
+            if (object->isWindowType() &&
+                is_held_enter(*event, object == static_cast<QObject*>(windowHandle())
+                                          ? focusWidget()
+                                          : QApplication::focusWidget()))
                 return true;
             if (closesNotice(object, event)) return true;
             if (event->type() == QEvent::Wheel && holds_a_value(object)) {
@@ -98,7 +122,8 @@ bool MainWindow::isSecondOfTwo(const QObject* window, const QMouseEvent& press) 
     const std::pair<const void*, const void*> on{window, page_.data()};
     if (pressed_.isValid() && pressed_.elapsed() < QApplication::doubleClickInterval() &&
         (at - pressed_at_).manhattanLength() <= QApplication::startDragDistance() &&
-        on != pressed_on_)
+        (on != pressed_on_ || acts_once(window == windowHandle() ? childAt(mapFromGlobal(at))
+                                                                 : QApplication::widgetAt(at))))
         return true;
     pressed_.start();
     pressed_at_ = at;

@@ -74,7 +74,9 @@ class NormsPage : public Page {
     [[nodiscard]] QString title() const override { return tr("Norms"); }
 
  private:
+    /// The same pack stays selected: a second press must not be about another one.
     void fill() {
+        const int64_t kept = selected() != nullptr ? selected()->id : 0;
         packs_ = context_.store().norms().list({});
         table_->setSortingEnabled(false);
         table_->setRowCount(static_cast<int>(packs_.size()));
@@ -105,7 +107,7 @@ class NormsPage : public Page {
         table_->setSortingEnabled(true);
         table_->setVisible(!packs_.empty());
         empty_->setVisible(packs_.empty());
-        if (!packs_.empty()) table_->selectRow(0);
+        if (!packs_.empty()) table_->selectRow(rowOf(kept));
         showButtons();
     }
 
@@ -114,6 +116,15 @@ class NormsPage : public Page {
         if (rows.isEmpty()) return nullptr;
         return &packs_[static_cast<size_t>(
             table_->item(rows.front().row(), 0)->data(Qt::UserRole).toInt())];
+    }
+
+    /// 0 where it is not there.
+    [[nodiscard]] int rowOf(int64_t pack) const {
+        for (int row = 0; row < table_->rowCount(); ++row)
+            if (packs_[static_cast<size_t>(table_->item(row, 0)->data(Qt::UserRole).toInt())].id ==
+                pack)
+                return row;
+        return 0;
     }
 
     void showButtons() {
