@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "all_threads_taken.h"
+#include "db/recording_order.h"
 #include "page_fit.h"
 #include "shell_harness.h"
 #include "ui/shell/details.h"
@@ -38,6 +39,7 @@ class ShellStoreTest : public QObject {
     void whatAParticipantAnsweredOutlivesTheSession();
     void aListAskedForAfterwardsLeadsToSignIn();
     void aRecordingIsCopiedElsewhereAndNeverOverItself();
+    void whoseARecordingIsIsChosen();
     void aPageStaysAsLongAsItsQuestion();
 
  private:
@@ -441,6 +443,30 @@ void ShellStoreTest::aRecordingIsCopiedElsewhereAndNeverOverItself() {
     QVERIFY(shell_->click("recover_copy_0"));
     QVERIFY(shell_->bannerSays("Recording copied"));
     QVERIFY(bytes(shell_->save_as) == was && bytes(recording) == was);
+    // What a copy cannot replace as a whole stays: a full disk, a stick that was pulled out.
+    QFile other(shell_->path("older.placode"));
+    QVERIFY(other.open(QIODevice::WriteOnly) && other.write("older") == 5);
+    other.close();
+    QVERIFY(QFile::rename(recording, recording + ".away"));
+    shell_->save_as = other.fileName();
+    QVERIFY(shell_->click("recover_copy_0"));
+    QCOMPARE(bytes(other.fileName()), QByteArray("older"));
+    QVERIFY(QFile::rename(recording + ".away", recording));
+}
+
+// The first of a list was proposed, and one press gave somebody an attempt that was not his.
+void ShellStoreTest::whoseARecordingIsIsChosen() {
+    const QString recording = leftover();
+    QVERIFY(QFile::remove(QString::fromStdString(db::order_file(recording.toStdString()))));
+    QVERIFY(shell_->signIn("ada", "correct horse"));
+    shell_->window().open({PageId::kRecovery, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kRecovery));
+    auto* owner = shell_->find<QComboBox>("recover_owner_0");
+    QVERIFY(owner != nullptr && owner->count() > 0);
+    QCOMPARE(owner->currentIndex(), -1);
+    QVERIFY(!shell_->find<QPushButton>("recover_save_0")->isEnabled());
+    owner->setCurrentIndex(0);
+    QVERIFY(shell_->find<QPushButton>("recover_save_0")->isEnabled());
 }
 
 // What was begun before ended under a question that lay on the stack, and took its page away.

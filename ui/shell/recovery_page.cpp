@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <memory>
 
+#include "db/whole_file.h"
 #include "ui/shell/details.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -70,6 +71,7 @@ class RecoveryPage : public Page {
         QComboBox* owner = nullptr;
         if (!leftover.order && !leftover.problem) {
             owner = ownerChooser();
+            owner->setObjectName(QString("recover_owner_%1").arg(index));
             layout->addLayout(make_field(tr("Nobody knows whose it is. Save it for"), owner));
         }
         QStringList exact{leftover.recording_file};
@@ -111,6 +113,8 @@ class RecoveryPage : public Page {
             if (db::has_role(person.roles, db::Role::kTrainee))
                 box->addItem(qstr(person.display_name), QVariant::fromValue<qint64>(person.id));
         }
+        box->setPlaceholderText(tr("Choose …"));
+        box->setCurrentIndex(-1);  // It becomes nobody's by his being first in a list.
         return box;
     }
 
@@ -121,7 +125,10 @@ class RecoveryPage : public Page {
         if (!leftover.problem) {
             QPushButton* save = make_button(context_, tr("Save"), "primary", "check");
             save->setObjectName(QString("recover_save_%1").arg(index));
-            save->setEnabled(owner == nullptr || owner->count() > 0);
+            save->setEnabled(owner == nullptr);
+            if (owner != nullptr)
+                connect(owner, &QComboBox::currentIndexChanged, save,
+                        [save](int row) { save->setEnabled(row >= 0); });
             connect(save, &QPushButton::clicked, this, [this, leftover, owner] {
                 AttemptOrder order = leftover.order.value_or(AttemptOrder{});
                 order.recording_file = leftover.recording_file;
@@ -156,6 +163,19 @@ class RecoveryPage : public Page {
         return row;
     }
 
+    /// What is there already stays unless the copy is whole. Why it is not; empty = it is.
+    [[nodiscard]] static QString copyWhole(const QString& from, const QString& to) {
+        constexpr qint64 kAtOnce = 1 << 20;
+        QFile source(from);
+        db::WholeFile copy(to);
+        if (!source.open(QIODevice::ReadOnly)) return source.errorString();
+        if (!copy.open(QIODevice::WriteOnly)) return copy.errorString();
+        for (QByteArray part = source.read(kAtOnce); !part.isEmpty(); part = source.read(kAtOnce))
+            if (copy.write(part) != part.size()) return copy.errorString();
+        if (source.error() != QFileDevice::NoError) return source.errorString();
+        return copy.commit() ? QString() : copy.errorString();
+    }
+
     /// Where this disk is full or ends: the file is whole elsewhere before anybody relies on it.
     void copyElsewhere(const QString& file) {
         const QString path =
@@ -165,15 +185,10 @@ class RecoveryPage : public Page {
         context_.guard(tr("Copying the recording"), [&] {
             if (QFileInfo(path) == QFileInfo(file))
                 throw Refusal(tr("The recording is there already: choose another folder."));
-            QFile::remove(path);  // The dialog has asked.
-            QFile source(file);
-            if (!source.copy(path) || QFileInfo(path).size() != QFileInfo(file).size()) {
-                const QString said = source.errorString();
-                QFile::remove(path);
+            if (const QString said = copyWhole(file, path); !said.isEmpty())
                 throw db::StoreError(db::StoreError::Kind::kOther, "copy " + file.toStdString() +
                                                                        " to " + path.toStdString() +
                                                                        ": " + said.toStdString());
-            }
             context_.audit("recording.copy", QFileInfo(file).fileName());
             Q_EMIT written(tr("Recording copied: %1").arg(path), path);
         });

@@ -5037,6 +5037,10 @@
         <source>number %1</source>
         <translation>numer %1</translation>
     </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wybierz …</translation>
+    </message>
 </context>
 <context>
     <name>ResultPage</name>
