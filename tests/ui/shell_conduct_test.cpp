@@ -59,6 +59,7 @@ class ShellConductTest : public QObject {
     void aSecondVisitAsksAgainButNotForConsent();
     void anAmendmentKeepsTheVersionOfWhoIsIn();
     void withdrawalKeepsStopsOrErases();
+    void anotherThemeKeepsTheChosenRecord();
     void onlyUsableDataLeave();
     void aParticipantMayRefuseOrStop();
     void aSheetOfPaperGoesToTheVisitThatIsOpen();
@@ -280,6 +281,21 @@ void ShellConductTest::withdrawalKeepsStopsOrErases() {
     QVERIFY(shell_->find<QPushButton>("step_questionnaire") == nullptr);
     overview();
     shell_->whole("69_study_withdrawals");
+}
+
+// The first record was selected again, beside what had been typed to unlock another one.
+void ShellConductTest::anotherThemeKeepsTheChosenRecord() {
+    openData(codes_[0]);
+    if (QTest::currentTestFailed()) return;
+    const auto row = [this] { return shell_->find<QTableWidget>("records_table")->currentRow(); };
+    shell_->find<QTableWidget>("records_table")->selectRow(2);
+    QVERIFY(shell_->type("unlock_reason", "a slip"));
+    for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
+        shell_->context().setTheme(theme);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QCOMPARE(row(), 2);
+        QCOMPARE(shell_->find<QLineEdit>("unlock_reason")->text(), QString("a slip"));
+    }
 }
 
 void ShellConductTest::onlyUsableDataLeave() {

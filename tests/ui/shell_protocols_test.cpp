@@ -467,6 +467,24 @@ void ShellProtocolsTest::unsavedTextIsAskedAbout() {
     QCOMPARE(json()->toPlainText(), typed);
     QVERIFY(refused(PageId::kProtocols));
     QCOMPARE(json()->toPlainText(), typed);
+    // Whoever stays finds lists and text about the same definition.
+    auto* chooser = shell_->find<QComboBox>("definition_id");
+    const int shown = chooser->currentIndex(), other = shown == 0 ? 1 : 0;
+    QVERIFY(chooser->count() > 1);
+    shell_->refuseNext();
+    chooser->setCurrentIndex(other);
+    Q_EMIT chooser->activated(other);
+    QCOMPARE(chooser->currentIndex(), shown);
+    QCOMPARE(json()->toPlainText(), typed);
+    // So they are in another theme.
+    list()->setCurrentRow(3);
+    for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
+        shell_->context().setTheme(theme);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QCOMPARE(list()->currentRow(), 3);
+        QCOMPARE(shell_->find<QComboBox>("definition_id")->currentIndex(), shown);
+        QCOMPARE(json()->toPlainText(), typed);
+    }
     // Of what was exported nothing is asked.
     shell_->save_as = shell_->path("typed.json");
     QVERIFY(press("definition_export"));

@@ -43,6 +43,12 @@ void DefinitionElements::follow(const OrderedJson& definition) {
 
 void DefinitionElements::chooseConsent() { list_->setCurrentRow(kConsentRow); }
 
+int DefinitionElements::row() const { return list_->currentRow(); }
+
+void DefinitionElements::choose(int row) {
+    if (row >= 0 && row < list_->count()) list_->setCurrentRow(row);
+}
+
 QWidget* DefinitionElements::listCard() {
     auto* layout = new QVBoxLayout;
     layout->setSpacing(kSpace8);

@@ -31,6 +31,8 @@ class DefinitionElements : public QWidget {
     /// As list and form have made it; null before the first follow().
     [[nodiscard]] const OrderedJson& definition() const { return definition_; }
     void chooseConsent();
+    [[nodiscard]] int row() const;
+    void choose(int row);  ///< Where there is such a row.
     /// Another definition is shown: what was removed from the last one does not belong into it.
     void forgetRemoved();
     /// Is called after every change by hand.

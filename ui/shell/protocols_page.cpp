@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTimer>
+#include <algorithm>
 #include <optional>
 
 #include "curriculum/draft_text.h"
@@ -58,7 +59,11 @@ class ProtocolsPage : public Page {
                     chooser_->setCurrentIndex(i);
                     text = textOf(chooser_->itemData(i).toString());
                 }
+        if (const QVariant chosen = place.state.value("chosen"); chosen.isValid())
+            chooser_->setCurrentIndex(std::max(0, chooser_->findData(chosen)));
+        shown_ = chooser_->currentIndex();
         setText(text.isEmpty() ? firstText() : text);
+        elements_->choose(place.state.value("row", 0).toInt());
         if (isStudy() && place.state.value("part").toString() == "consent")
             elements_->chooseConsent();
         unsaved_ = place.state.value("unsaved").toBool();
@@ -66,7 +71,11 @@ class ProtocolsPage : public Page {
 
     [[nodiscard]] QString title() const override { return tr("Protocols"); }
     [[nodiscard]] QVariantMap state() const override {
-        return {{"kind", kind_}, {"text", json_->toPlainText()}, {"unsaved", unsaved_}};
+        return {{"kind", kind_},
+                {"text", json_->toPlainText()},
+                {"unsaved", unsaved_},
+                {"chosen", chooser_->currentData()},
+                {"row", elements_->row()}};
     }
     [[nodiscard]] bool mayLeave() override {
         if (!unsaved_ || leaving_) return true;
@@ -95,7 +104,9 @@ class ProtocolsPage : public Page {
         kinds->addItem(tr("Questionnaire"), "questionnaire");
         kinds->setCurrentIndex(isStudy() ? 0 : 1);
         connect(kinds, &QComboBox::activated, this, [this, kinds] {
-            Q_EMIT go({PageId::kProtocols, 0, {}, {{"kind", kinds->currentData().toString()}}});
+            const QString kind = kinds->currentData().toString();
+            kinds->setCurrentIndex(isStudy() ? 0 : 1);  // Whoever stays here is at this kind.
+            Q_EMIT go({PageId::kProtocols, 0, {}, {{"kind", kind}}});
         });
         row->addWidget(kinds);
         chooser_ = new QComboBox;
@@ -103,7 +114,8 @@ class ProtocolsPage : public Page {
         chooser_->setAccessibleName(tr("Definition"));
         fillChooser();
         connect(chooser_, &QComboBox::activated, this, [this] {
-            if (!mayLeave()) return;
+            if (!mayLeave()) return chooser_->setCurrentIndex(shown_);
+            shown_ = chooser_->currentIndex();
             setText(textOf(chooser_->currentData().toString()));
         });
         row->addWidget(chooser_, 1);
@@ -320,6 +332,7 @@ class ProtocolsPage : public Page {
             fillChooser();
             chooser_->setCurrentIndex(
                 chooser_->findData(qstr(record.id) + "/" + QString::number(record.version)));
+            shown_ = chooser_->currentIndex();
             Q_EMIT notice(tr("%1 version %2 is published; it is never changed from now on.")
                               .arg(qstr(record.id))
                               .arg(record.version));
@@ -378,6 +391,7 @@ class ProtocolsPage : public Page {
 
     QString kind_;
     QComboBox* chooser_ = nullptr;
+    int shown_ = 0;  ///< Row of the chooser whose definition was opened last.
     DefinitionElements* elements_ = nullptr;
     QPlainTextEdit* json_ = nullptr;
     QLineEdit* reason_ = nullptr;

@@ -58,7 +58,7 @@ class StudyDataPage : public Page {
         read();
         if (QLabel* left = make_copies_left(context, erased_)) column->addWidget(left);
         column->addWidget(make_label(summary(), "muted"));
-        column->addWidget(recordsCard(place.text));
+        column->addWidget(recordsCard(place.state.value("selected", place.text).toString()));
         auto* procedures = new ProceduresCard(context, *this, study_, [this] { again(); });
         column->addWidget(procedures);
         connect(table_, &QTableWidget::itemSelectionChanged, procedures,
@@ -80,9 +80,12 @@ class StudyDataPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Data"); }
-    /// A change of theme or language still says where erased records may be.
+    /// A change of theme or language still says where erased records may be, and is about the same
+    /// participant: what is typed for a signature or to unlock stays.
     [[nodiscard]] QVariantMap state() const override {
-        return {{"study", qstr(study_)}, {"erased", erased_}};
+        QVariantMap kept{{"study", qstr(study_)}, {"erased", erased_}};
+        if (table_ != nullptr) kept["selected"] = selected();
+        return kept;
     }
 
  private:
