@@ -4,8 +4,11 @@
 // readers, no traps for the keyboard, and room at twice the scale.
 
 #include <QAbstractSpinBox>
+#include <QApplication>
 #include <QFrame>
+#include <QPalette>
 #include <cmath>
+#include <map>
 
 #include "shell_harness.h"
 #include "tests/colour_vision.h"
@@ -60,7 +63,9 @@ class ShellAccessTest : public QObject {
     void initTestCase();
     void cleanupTestCase() { shell_.reset(); }
     void textStandsOutInBothThemes();
+    void disabledTextIsOfTheSecondaryColour();
     void whatIsWrongIsFramedUnlikeTheFocus();
+    void theFocusIsSeenOnEverythingThatTakesIt();
     void everythingIsNamedAndLargeEnough();
     void tabGoesThroughThePageAndOutAgain();
 
@@ -92,6 +97,18 @@ void ShellAccessTest::textStandsOutInBothThemes() {
                          qPrintable(QString("%1 on %2: %3")
                                         .arg(text.name(), ground.name())
                                         .arg(contrast(text, ground))));
+        // Secondary text and what is disabled, on every ground that they stand on: a button that is
+        // off has the colour of the line, a badge that of the pointer, a banner a soft one.
+        for (const QColor& ground :
+             {t.hover, t.line, t.accent_soft, t.good_soft, t.warn_soft, t.critical_soft})
+            for (const QColor& text : {t.text, t.muted})
+                QVERIFY2(contrast(text, ground) >= 4.5,
+                         qPrintable(QString("%1 on %2: %3")
+                                        .arg(text.name(), ground.name())
+                                        .arg(contrast(text, ground))));
+        // The ring of the focus, on whatever it is drawn: WCAG 1.4.11.
+        for (const QColor& ground : {t.surface, t.raised, t.hover, t.line, t.accent_soft})
+            QVERIFY2(contrast(t.accent, ground) >= 3, qPrintable(ground.name()));
         const std::pair<QColor, QColor> pairs[]{
             {t.on_accent, t.accent},       {t.good, t.good_soft},     {t.warn, t.warn_soft},
             {t.critical, t.critical_soft}, {t.accent, t.accent_soft}, {t.text, t.hover}};
@@ -106,6 +123,55 @@ void ShellAccessTest::textStandsOutInBothThemes() {
         // The edge of a field: WCAG 1.4.11.
         QVERIFY2(contrast(t.field, t.raised) >= 3, qPrintable(t.field.name()));
     }
+}
+
+// The contrast above is that of what is drawn.
+void ShellAccessTest::disabledTextIsOfTheSecondaryColour() {
+    for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
+        shell_->context().setTheme(theme);
+        const Tokens& t = tokens(theme);
+        for (const QPalette::ColorRole role :
+             {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+            QCOMPARE(QApplication::palette().color(QPalette::Disabled, role), t.muted);
+        QCOMPARE(QApplication::palette().color(QPalette::PlaceholderText), t.muted);
+    }
+}
+
+// `outline: none` takes Qt's own ring away: a line of an analogue scale had none at all.
+void ShellAccessTest::theFocusIsSeenOnEverythingThatTakesIt() {
+    // What a page may hold and Tab reaches. Each has a rule of its own for the focus, or one of
+    // what it derives from.
+    const std::map<QString, QString> known{
+        {"QPushButton", "QPushButton:focus"},   {"QToolButton", "QToolButton:focus"},
+        {"QLineEdit", "QLineEdit:focus"},       {"QComboBox", "QComboBox:focus"},
+        {"QSpinBox", "QSpinBox:focus"},         {"QDoubleSpinBox", "QDoubleSpinBox:focus"},
+        {"QDateEdit", "QDateEdit:focus"},       {"QPlainTextEdit", "QPlainTextEdit:focus"},
+        {"QCheckBox", "QCheckBox:focus"},       {"QRadioButton", "QRadioButton:focus"},
+        {"QSlider", "QSlider:focus"},           {"QListWidget", "QListWidget:focus"},
+        {"QTableWidget", "QTableWidget:focus"}, {"QTextBrowser", "QTextBrowser:focus"}};
+    const QString sheet = qApp->styleSheet();
+    for (const auto& [name, rule] : known) QVERIFY2(sheet.contains(rule), qPrintable(rule));
+    QStringList wrong;
+    for (const Visit& each : kVisits) {
+        QVERIFY2(visit(each), each.name);
+        QTest::qWait(40);
+        for (const QWidget* widget : shell_->window().findChildren<QWidget*>()) {
+            if (!widget->isVisible() || (widget->focusPolicy() & Qt::TabFocus) == 0) continue;
+            bool seen = qobject_cast<const QScrollArea*>(widget) != nullptr;
+            for (const auto& [name, rule] : known)
+                seen = seen || widget->inherits(qPrintable(name));
+            if (!seen)
+                wrong << QString("%1: %2 \"%3\"")
+                             .arg(each.name, widget->metaObject()->className(),
+                                  widget->objectName());
+        }
+    }
+    wrong.removeDuplicates();
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join("\n")));
+    // A rule that comes later must not take the frame of the focus away again.
+    for (const char* rule : {"QPushButton[role=\"danger\"]:focus { border: 2px solid ",
+                             "QPlainTextEdit[role=\"details\"]:focus"})
+        QVERIFY2(sheet.contains(rule), rule);
 }
 
 // A missing answer in the colour of the focus looked like the question to go on with.

@@ -47,7 +47,7 @@ Tokens make_tokens(ThemeKind theme) {
     Tokens t;
     if (theme == ThemeKind::kLight) {
         t.surface = "#FAFAF8", t.raised = "#FFFFFF", t.line = "#E3E2DC";
-        t.text = "#1C1E21", t.muted = "#5F666E";
+        t.text = "#1C1E21", t.muted = "#5D646C";
         t.accent = "#0B6E77", t.on_accent = "#FFFFFF", t.accent_soft = "#E4F0F1";
         t.good = "#2C774B", t.good_soft = "#E6F2EA";
         t.warn = "#9C5D00", t.warn_soft = "#FBF1DF";
@@ -109,7 +109,7 @@ QPushButton[role="secondary"]:hover { background: @hover@; }
 QPushButton[role="secondary"]:focus { border: 2px solid @accent@; }
 QPushButton[role="danger"] { background: @raised@; border: 1px solid @critical@; color: @critical@; }
 QPushButton[role="danger"]:hover { background: @critical_soft@; }
-QPushButton[role="danger"]:focus { border: 2px solid @critical@; }
+QPushButton[role="danger"]:focus { border: 2px solid @accent@; }
 QPushButton[role="secondary"]:disabled, QPushButton[role="danger"]:disabled { background: @hover@; border: 1px solid @line@; color: @muted@; }
 QPushButton[scale="large"] { min-height: 48px; font-size: 16px; }
 QPushButton[role="quiet"], QToolButton { background: transparent; }
@@ -122,8 +122,13 @@ QToolButton::menu-indicator { image: none; }
 QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QDateEdit, QPlainTextEdit { background: @raised@; border: 1px solid @field@; border-radius: 8px; padding: 0 12px; min-height: 42px; selection-background-color: @accent@; selection-color: @on_accent@; }
 QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus, QDateEdit:focus, QPlainTextEdit:focus { border: 2px solid @accent@; padding: 0 11px; }
 QPlainTextEdit[role="details"] { background: @surface@; border: 1px solid @line@; border-radius: 6px; padding: 4px; min-height: 0; font-size: 12px; color: @text@; }
+QPlainTextEdit[role="details"]:focus { border: 2px solid @accent@; padding: 3px; }
+QTextBrowser:focus { border: 2px solid @accent@; }
 QLineEdit:disabled, QComboBox:disabled { color: @muted@; background: @surface@; }
 QLineEdit[tone="critical"] { border: 2px solid @critical@; }
+QLineEdit[tone="critical"]:focus { background: @critical_soft@; }
+QSlider { border: 2px solid transparent; border-radius: 8px; }
+QSlider:focus { border: 2px solid @accent@; }
 QComboBox::drop-down, QDateEdit::drop-down { border: none; width: 32px; }
 QComboBox::down-arrow, QDateEdit::down-arrow { image: url(@chevron@); width: 16px; height: 16px; }
 QSpinBox::up-button, QDoubleSpinBox::up-button { subcontrol-origin: border; subcontrol-position: center right; width: 32px; height: 40px; border: none; border-left: 1px solid @line@; }
