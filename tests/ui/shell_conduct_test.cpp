@@ -398,6 +398,18 @@ void ShellConductTest::aSecondEntryGoesToTheSetThatIsChosen() {
     // Two sets of one person are told apart where answers are corrected, too.
     auto* corrected = shell_->find<QComboBox>("correct_answers_of");
     QVERIFY(corrected->itemText(corrected->count() - 1).contains("visit 2"));
+    // What is corrected is of whose record is selected, and stays so in another theme.
+    QVERIFY2(corrected->currentText().startsWith(QString::fromStdString(last.participant)),
+             qPrintable(corrected->currentText()));
+    corrected->setCurrentIndex(corrected->count() - 1);
+    const QString chosen = corrected->currentText();
+    QVERIFY(shell_->type("correct_reason", "a slip"));
+    for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
+        shell_->context().setTheme(theme);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        QCOMPARE(shell_->find<QComboBox>("correct_answers_of")->currentText(), chosen);
+        QCOMPARE(shell_->find<QLineEdit>("correct_reason")->text(), QString("a slip"));
+    }
 }
 
 void ShellConductTest::aStepIsCalledAsTheParticipantsVersionDoes() {

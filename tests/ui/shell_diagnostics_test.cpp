@@ -91,6 +91,10 @@ void ShellDiagnosticsTest::aCrashIsSaidOnceWithAWayToItsReport() {
     whileOpen([&](QDialog& dialog) {
         auto* remove = dialog.findChild<QPushButton*>("diagnostics_delete");
         QVERIFY(remove->isEnabled());
+        shell_->refuseNext();
+        QTest::mouseClick(remove, Qt::LeftButton);
+        QVERIFY2(!crash_reports(diagnostics_folder()).empty(), "it asks before");
+        shell_->confirmNext();
         QTest::mouseClick(remove, Qt::LeftButton);
         after = dialog.findChild<QPlainTextEdit*>("diagnostics_text")->toPlainText();
         QVERIFY2(!remove->isEnabled(), "the log stays");

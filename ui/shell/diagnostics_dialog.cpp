@@ -109,7 +109,11 @@ class DiagnosticsDialog : public QDialog {
     }
 
     void remove() {
-        if (!is_report()) return;
+        if (!is_report() ||
+            !confirm(this, tr("Delete this report?"),
+                     tr("It is the only copy. Save one before, if somebody is to look into it."),
+                     tr("Delete")))
+            return;
         QFile::remove(qstr(reports_[static_cast<size_t>(which_->currentIndex())].file.string()));
         fill();
     }

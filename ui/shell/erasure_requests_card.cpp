@@ -8,6 +8,7 @@
 
 #include "reports/export.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 
@@ -25,6 +26,7 @@ ErasureRequestsCard::ErasureRequestsCard(AppContext& context, Page& page)
     layout->addWidget(requests_);
     with_attempts_ = new QCheckBox(tr("The attempts go as well (else they stay, nameless)"));
     with_attempts_->setObjectName("erase_attempts");
+    keep_choice(with_attempts_);
     layout->addWidget(with_attempts_);
     none_ = make_label(tr("Nobody has asked."), "muted");
     layout->addWidget(none_);
@@ -73,7 +75,7 @@ void ErasureRequestsCard::showRequests() {
         requests_->setCellWidget(row, 4, erase);
     }
     fit_columns(requests_, 2);
-    requests_->setColumnWidth(0, 200);
+    requests_->setColumnWidth(0, std::max(200, requests_->columnWidth(0)));
     requests_->setColumnWidth(3, std::max(170, requests_->columnWidth(3)));
     requests_->setColumnWidth(4, 120);
     requests_->setFixedHeight(std::clamp<int>(requests_->rowCount(), 1, 5) * kTouchTarget + 50);

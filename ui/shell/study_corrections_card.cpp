@@ -10,6 +10,7 @@
 
 #include "ui/shell/parts.h"
 #include "ui/shell/study_parts.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -18,6 +19,8 @@ namespace {
 struct CorrectionWords {
     Q_DECLARE_TR_FUNCTIONS(StudyDataPage)
 };
+
+constexpr int kParticipantRole = Qt::UserRole + 1;
 
 QTableWidget* corrections_table(const std::vector<db::Correction>& corrections) {
     QTableWidget* table = make_table({CorrectionWords::tr("When"), CorrectionWords::tr("By"),
@@ -45,7 +48,7 @@ QTableWidget* corrections_table(const std::vector<db::Correction>& corrections) 
 QWidget* make_corrections_card(AppContext& context, Page& page,
                                const std::vector<db::AnswerRecord>& answers,
                                const std::vector<db::Correction>& corrections,
-                               const std::function<void()>& again) {
+                               const QTableWidget* people, const std::function<void()>& again) {
     auto* layout = new QVBoxLayout;
     layout->setSpacing(kSpace12);
     layout->addWidget(make_label(CorrectionWords::tr("Corrections"), "heading"));
@@ -65,6 +68,18 @@ QWidget* make_corrections_card(AppContext& context, Page& page,
                           .arg(each.visit)
                           .arg(format_when(each.answered_utc)),
                       QVariant::fromValue<qint64>(each.id));
+    for (int row = 0; row < sets->count(); ++row)
+        sets->setItemData(row, qstr(answers[static_cast<size_t>(row)].participant),
+                          kParticipantRole);
+    // A correction is about whose record is selected above, until another set is chosen.
+    const auto follow = [sets, people] {
+        const auto* code = people->item(people->currentRow(), 0);
+        sets->setCurrentIndex(code != nullptr ? sets->findData(code->text(), kParticipantRole)
+                                              : -1);
+    };
+    QObject::connect(people, &QTableWidget::itemSelectionChanged, sets, follow);
+    follow();
+    keep_choice(sets);
     auto* item = make_line("correct_item", CorrectionWords::tr("Item, e.g. A"));
     auto* value =
         make_line("correct_value", CorrectionWords::tr("New answer; empty takes it away"));

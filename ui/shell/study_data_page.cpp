@@ -67,8 +67,8 @@ class StudyDataPage : public Page {
         column->addWidget(make_entry_card(context, *this,
                                           {study_, progress_, answers_, differences_}, table_,
                                           [this] { again(); }));
-        column->addWidget(
-            make_corrections_card(context, *this, answers_, corrections_, [this] { again(); }));
+        column->addWidget(make_corrections_card(context, *this, answers_, corrections_, table_,
+                                                [this] { again(); }));
         column->addWidget(make_names_card(context, *this, study_, codes()));
         const auto erased = [this](const QString& codes) {
             Q_EMIT go(

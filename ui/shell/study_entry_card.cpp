@@ -15,6 +15,7 @@
 #include "db/study_conduct.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/study_parts.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -186,6 +187,7 @@ QTableWidget* Entry::make_table_of_differences() {
     fit_columns(table, 2);
     table->setMinimumHeight(std::min(6, table->rowCount() + 1) * kTouchTarget + 10);
     table->selectRow(0);
+    keep_choice(table);
     return table;
 }
 

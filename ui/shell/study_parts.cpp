@@ -91,6 +91,7 @@ QLineEdit* make_line(const char* object_name, const QString& words, bool secret)
     edit->setObjectName(object_name);
     edit->setAccessibleName(words);
     edit->setPlaceholderText(words);
+    edit->setToolTip(words);  // Whoever has begun to type sees the words no more.
     if (secret) edit->setEchoMode(QLineEdit::Password);
     return edit;
 }

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QSpinBox>
+#include <QTableWidget>
 #include <QTextDocument>
 
 namespace placode::ui {
@@ -28,6 +29,12 @@ QVariant chosen_in(const QWidget& field) {
         return button->isChecked();
     if (const auto* spin = qobject_cast<const QSpinBox*>(&field)) return spin->value();
     if (const auto* day = qobject_cast<const QDateEdit*>(&field)) return day->date();
+    if (const auto* table = qobject_cast<const QTableWidget*>(&field)) {
+        const auto* first = table->item(table->currentRow(), 0);
+        return first == nullptr
+                   ? QVariant()
+                   : QVariantMap{{"row", table->currentRow()}, {"text", first->text()}};
+    }
     const auto* list = qobject_cast<const QComboBox*>(&field);
     if (list == nullptr) return {};
     // Words that were typed are no entry of the list, and its entries have other words in another
@@ -41,9 +48,15 @@ void choose_in(QWidget& field, const QVariant& choice) {
     if (auto* button = qobject_cast<QAbstractButton*>(&field)) button->setChecked(choice.toBool());
     if (auto* spin = qobject_cast<QSpinBox*>(&field)) spin->setValue(choice.toInt());
     if (auto* day = qobject_cast<QDateEdit*>(&field)) day->setDate(choice.toDate());
+    const QVariantMap chosen = choice.toMap();
+    if (auto* table = qobject_cast<QTableWidget*>(&field)) {
+        const int row = chosen.value("row").toInt();
+        const auto* first = table->item(row, 0);
+        if (first != nullptr && first->text() == chosen.value("text").toString())
+            table->selectRow(row);
+    }
     auto* list = qobject_cast<QComboBox*>(&field);
     if (list == nullptr) return;
-    const QVariantMap chosen = choice.toMap();
     const QVariant data = chosen.value("data");
     const int row = data.isValid() ? list->findData(data) : -1;
     if (row >= 0)

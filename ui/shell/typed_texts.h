@@ -10,8 +10,9 @@ class QWidget;
 
 namespace placode::ui {
 
-/// What is chosen there is kept with what is typed: for a box, list, number or day of a form that
-/// does nothing before its button is pressed, and for a line that begins with a text of its own.
+/// What is chosen there is kept with what is typed: for a box, list, number, day or row of a form
+/// that does nothing before its button is pressed, and for a line that begins with a text of its
+/// own.
 /// @param field has a name.
 void keep_choice(QWidget* field);
 

@@ -2299,6 +2299,18 @@
         <source>Read the report</source>
         <translation>Przeczytaj raport</translation>
     </message>
+    <message>
+        <source>Delete this report?</source>
+        <translation>Usunąć ten raport?</translation>
+    </message>
+    <message>
+        <source>It is the only copy. Save one before, if somebody is to look into it.</source>
+        <translation>To jedyny egzemplarz. Jeśli ktoś ma się nim zająć, najpierw zapisz kopię.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Usuń</translation>
+    </message>
 </context>
 <context>
     <name>HealthPage</name>
