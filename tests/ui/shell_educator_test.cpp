@@ -299,6 +299,10 @@ void ShellEducatorTest::standardComesFromTwoGroups() {
     QVERIFY(put(0, 1, "mark_novices"));
     QVERIFY(put(2, 3, "mark_experts"));
     QCOMPARE(shell.find<QTableWidget>("standard_people")->item(3, 3)->text(), QString("expert"));
+    // Marked by hand, one after the other: not lost by a step aside.
+    shell.refuseNext();
+    QVERIFY(shell.click("rail_today"));
+    QCOMPARE(shell.window().current(), PageId::kStandards);
     // Each person's mean of the last three attempts.
     const std::vector<double> novices{(39 + 42 + 41) / 3.0, (80 + 60 + 55) / 3.0},
         experts{(78 + 84 + 90) / 3.0, (82 + 88 + 91) / 3.0};

@@ -13,6 +13,7 @@
 #include "reports/words.h"
 #include "ui/shell/study_parts.h"
 #include "ui/shell/table_width.h"
+#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 
@@ -101,6 +102,7 @@ void ProceduresCard::fillTable(QVBoxLayout* layout) {
     table_ = make_table({tr("Step"), tr("When"), tr("Lasted"), tr("Device"), tr("State")},
                         tr("Procedures"));
     table_->setObjectName("procedures_table");
+    keep_choice(table_);
     table_->setSortingEnabled(false);
     table_->setRowCount(static_cast<int>(rows_.size()));
     int row = 0;

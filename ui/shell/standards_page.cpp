@@ -39,6 +39,7 @@ class StandardsPage : public Page {
         context.require(db::Action::kViewAttempts, db::Scope::kOther);
         known_ = context.store().attempts().tasks();
         groups_ = place.state.value("groups").toMap();
+        marked_ = place.state.value("marked").toBool();
         angoff_ = place.state.value("angoff").toMap();
         QVBoxLayout* column = make_column(this);
         auto* head = new QHBoxLayout;
@@ -72,15 +73,27 @@ class StandardsPage : public Page {
 
     [[nodiscard]] QString title() const override { return tr("Standards"); }
     [[nodiscard]] QVariantMap state() const override {
-        return {{"task", tasks_->itemData(shown_)}, {"groups", groups_}, {"angoff", angoff_}};
+        return {{"task", tasks_->itemData(shown_)},
+                {"groups", groups_},
+                {"marked", marked_},
+                {"angoff", angoff_}};
     }
     [[nodiscard]] bool mayLeave() override {
-        return angoff_.value("cells").toMap().isEmpty() ||
-               confirm(this, tr("Leave without setting the standard?"),
-                       tr("What the judges have estimated is lost."), tr("Leave"), tr("Stay here"));
+        const bool judged = !angoff_.value("cells").toMap().isEmpty();
+        if (!judged && !hasUnusedMarks()) return true;
+        return confirm(this, tr("Leave without setting the standard?"),
+                       judged ? tr("What the judges have estimated is lost.")
+                              : tr("Who was marked as a novice or an expert is forgotten."),
+                       tr("Leave"), tr("Stay here"));
     }
 
  private:
+    [[nodiscard]] bool hasUnusedMarks() const {
+        const auto marks = groups_.values();
+        return marked_ && std::any_of(marks.begin(), marks.end(),
+                                      [](const QVariant& group) { return group.toInt() != 0; });
+    }
+
     /// One arrow key on the list is enough for another task: it asks as a page does.
     void chooseTask() {
         if (!mayLeave()) {
@@ -89,6 +102,7 @@ class StandardsPage : public Page {
         }
         shown_ = tasks_->currentIndex();
         groups_.clear();
+        marked_ = false;
         angoff_.clear();
         showTaskOrSay();
     }
@@ -177,7 +191,9 @@ class StandardsPage : public Page {
             db::need_fit_to_judge(context_.store(), task(), people, kLastAttempts);
         });
         if (!proved) return;
-        keep(db::standard_of_groups(task(), values(1), values(2), kLastAttempts), reason_->text());
+        if (keep(db::standard_of_groups(task(), values(1), values(2), kLastAttempts),
+                 reason_->text()))
+            marked_ = false;
     }
 
     /// False when it was refused.
@@ -211,6 +227,7 @@ class StandardsPage : public Page {
                     db::keep_own_norms(context_.store(), pack, passphrase);
                 });
             if (!kept) return;
+            marked_ = false;
             Q_EMIT notice(tr("The norm pack is made and signed. It stands on the page Norms."));
         });
     }
@@ -283,6 +300,7 @@ class StandardsPage : public Page {
     }
 
     void put(int group) {
+        marked_ = true;
         const bool sorted = people_->isSortingEnabled();
         people_->setSortingEnabled(false);
         for (const QModelIndex& index : people_->selectionModel()->selectedRows()) {
@@ -326,9 +344,10 @@ class StandardsPage : public Page {
 
     std::vector<std::string> known_;  ///< Tasks with attempts.
     std::vector<Operator> operators_;
-    QVariantMap groups_;  ///< Key of the operator to 0 neither, 1 novice, 2 expert.
-    QVariantMap angoff_;  ///< What judges have typed and nobody has set, as the card tells it.
-    int shown_ = 0;       ///< Row of the task whose standard is shown.
+    QVariantMap groups_;   ///< Key of the operator to 0 neither, 1 novice, 2 expert.
+    bool marked_ = false;  ///< Since a standard or a norm pack was made of the groups.
+    QVariantMap angoff_;   ///< What judges have typed and nobody has set, as the card tells it.
+    int shown_ = 0;        ///< Row of the task whose standard is shown.
     QComboBox* tasks_ = nullptr;
     QTableWidget* people_ = nullptr;
     QVBoxLayout *body_ = nullptr, *result_ = nullptr;

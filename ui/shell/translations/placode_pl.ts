@@ -5933,6 +5933,10 @@
         <source>Novices: %1, experts: %2; novices who pass: %3 by the curves, %4 observed. %5</source>
         <translation>Początkujący: %1, eksperci: %2; początkujący powyżej progu: %3 z krzywych, %4 zaobserwowano. %5</translation>
     </message>
+    <message>
+        <source>Who was marked as a novice or an expert is forgotten.</source>
+        <translation>Oznaczenia początkujących i ekspertów przepadną.</translation>
+    </message>
 </context>
 <context>
     <name>StudiesPage</name>
