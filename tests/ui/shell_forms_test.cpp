@@ -41,6 +41,7 @@ class ShellFormsTest : public QObject {
     void whatWasTypedStaysInTheOtherLanguageAndAfterALock();
     void aQuestionThatNobodyAnswersKeepsNoSessionOpen();
     void theSecondOfTwoClicksPressesNothingNew();
+    void enterAndEscapeKeepEverything();
     void aButtonThatActsIsPressedOnce();
     void whatWasChosenStaysWithWhatWasTyped();
     void aHalfFilledFormIsThereAgainAfterAnotherPage();
@@ -360,6 +361,20 @@ void ShellFormsTest::theSecondOfTwoClicksPressesNothingNew() {
     });
     QVERIFY(!confirm(&shell.window(), "Remove it?", "For good.", "Remove"));
     QVERIFY2(stood, "the second of two clicks answers no question");
+}
+
+void ShellFormsTest::enterAndEscapeKeepEverything() {
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Escape}) {
+        bool asked = false;
+        QTimer::singleShot(100, &shell_->window(), [&asked, key] {
+            QWidget* box = QApplication::activeModalWidget();
+            asked = box != nullptr;
+            if (asked) QTest::keyClick(box, key);
+        });
+        QVERIFY2(!confirm(&shell_->window(), "Remove it?", "For good.", "Remove"),
+                 qPrintable(QKeySequence(key).toString()));
+        QVERIFY(asked);
+    }
 }
 
 // A double click granted twice, made two codes of which the first was never seen, and a held Enter

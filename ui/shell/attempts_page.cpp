@@ -15,7 +15,8 @@
 namespace placode::ui {
 namespace {
 
-constexpr int kRows = 100;  ///< Of one page of the list.
+constexpr int kRows = 100;          ///< Of one page of the list.
+constexpr int kWidestFilter = 420;  ///< [px]
 
 class AttemptsPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(AttemptsPage)
@@ -78,8 +79,12 @@ class AttemptsPage : public Page {
         task_->setCurrentIndex(std::max(0, task_->findData(place.state.value("task"))));
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace16);
-        row->addLayout(make_field(tr("Person"), person_));
-        row->addLayout(make_field(tr("Task"), task_));
+        for (QComboBox* box : {person_, task_}) {
+            keep_narrow(box);
+            box->setMaximumWidth(kWidestFilter);
+        }
+        row->addLayout(make_field(tr("Person"), person_), 1);
+        row->addLayout(make_field(tr("Task"), task_), 1);
         row->addStretch();
         report_ = make_trainee_report_button(context_, *this, tr("Report of this person"), [this] {
             return person_->currentData().toLongLong();

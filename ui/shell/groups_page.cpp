@@ -41,6 +41,7 @@ class GroupsPage : public Page {
         chooser_ = new QComboBox;
         chooser_->setObjectName("group");
         chooser_->setMinimumWidth(200);
+        keep_narrow(chooser_);
         head->addLayout(make_field(tr("Group"), chooser_), 2);
         column->addLayout(head);
         body_ = new QVBoxLayout;

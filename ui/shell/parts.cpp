@@ -143,6 +143,13 @@ QVBoxLayout* make_field(const QString& name, QWidget* field) {
     return layout;
 }
 
+void keep_narrow(QComboBox* list, int letters) {
+    list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    list->setMinimumContentsLength(letters);
+    list->setToolTip(list->currentText());
+    QObject::connect(list, &QComboBox::currentTextChanged, list, &QWidget::setToolTip);
+}
+
 QTableWidget* make_table(const QStringList& headers, const QString& name) {
     auto* table = new QTableWidget(0, static_cast<int>(headers.size()));
     table->setHorizontalHeaderLabels(headers);

@@ -4,6 +4,7 @@
 // Parts that pages are built from, so that every page has the same labels, buttons, tables and
 // numbers. They look by their `role` property, which the style sheet knows.
 
+#include <QComboBox>
 #include <QDateTime>
 #include <QFrame>
 #include <QLabel>
@@ -38,6 +39,10 @@ void set_button_icon(const AppContext& context, QPushButton* button, const QStri
 [[nodiscard]] QFrame* make_rule();
 /// A label above a field; the field gets the label as accessible name.
 [[nodiscard]] QVBoxLayout* make_field(const QString& name, QWidget* field);
+
+/// A list whose longest entry must not push the page aside: room for `letters`, for more where the
+/// layout has it; what is chosen stands in the tool tip, too.
+void keep_narrow(QComboBox* list, int letters = 20);
 
 /// Table with sorting, whole rows, 44 px rows and a name for screen readers.
 [[nodiscard]] QTableWidget* make_table(const QStringList& headers, const QString& name);

@@ -109,6 +109,7 @@ class RecoveryPage : public Page {
 
     QComboBox* ownerChooser() {
         auto* box = new QComboBox;
+        keep_narrow(box);
         for (const db::UserRecord& person : context_.store().accounts().list()) {
             if (db::has_role(person.roles, db::Role::kTrainee))
                 box->addItem(qstr(person.display_name), QVariant::fromValue<qint64>(person.id));
