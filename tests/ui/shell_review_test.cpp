@@ -306,6 +306,14 @@ void ShellReviewTest::educatorRemarksAndTheTraineeReadsIt() {
     QVERIFY2(std::abs(comments[0].time_s - clock()) < 1.1, "remarked at the moment shown");
     QCOMPARE(ledger()->picture().marks.size(), size_t{1});
     shell.keep(shell.window().grab(), "47_watch_remark");
+    // The field comes with the recording, after the page: what was typed waits for it.
+    QVERIFY(shell.type("comment_text", "Half a remark"));
+    shell.context().setTheme(ThemeKind::kDark);
+    QVERIFY(QTest::qWaitFor(
+        [&] { return shell.window().page()->findChild<QLineEdit*>("comment_text") != nullptr; },
+        30000));
+    QCOMPARE(shell.find<QLineEdit>("comment_text")->text(), QString("Half a remark"));
+    shell.context().setTheme(ThemeKind::kLight);
     QVERIFY(shell.signIn("demo.trainee", "placode-demo"));
     shell.window().open({PageId::kResult, id, {}, {}});
     QVERIFY(shell.arrives(PageId::kResult));

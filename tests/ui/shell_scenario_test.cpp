@@ -230,6 +230,19 @@ void ShellScenarioTest::theKeyHoldsTheNames() {
     QTest::qWait(100);  // Lets the new table appear; nothing depends on it.
     shell.scrollTo("name_save");
     shell.keep(shell.window().grab(), "84_scenario_names");
+    // Another theme closes the key; what was being typed waits until it is open again.
+    QVERIFY(shell.type("name_name", "Half A Name"));
+    shell.find<QComboBox>("name_code")->setCurrentIndex(1);
+    for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
+        shell.context().setTheme(theme);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    QVERIFY(shell.find<QLineEdit>("name_name") == nullptr);
+    QVERIFY(shell.type("key_passphrase", "four quiet grey needles"));
+    QVERIFY(press("open_key"));
+    QVERIFY(QTest::qWaitFor([&] { return shell.find<QLineEdit>("name_name") != nullptr; }, 20000));
+    QCOMPARE(shell.find<QLineEdit>("name_name")->text(), QString("Half A Name"));
+    QCOMPARE(shell.find<QComboBox>("name_code")->currentIndex(), 1);
     for (const QString& file : {path, shell.path("demo.db"), shell.path("demo.db-wal")}) {
         QFile bytes(file);
         if (!bytes.open(QIODevice::ReadOnly)) continue;

@@ -6,6 +6,7 @@
 #include <QScreen>
 #include <QShortcut>
 #include <QToolButton>
+#include <utility>
 
 #include "ui/shell/dialog_frame.h"
 #include "ui/shell/handover.h"
@@ -113,13 +114,21 @@ MainWindow::Kept MainWindow::whatIsShown() const {
     if (page_) {
         shown.place.state = page_->state();
         shown.typed = typed_texts(*page_);
+        // What waits for its fields has not been typed again.
+        for (auto each = late_.begin(); each != late_.end(); ++each)
+            if (!shown.typed.contains(each.key())) shown.typed.insert(each.key(), each.value());
     }
     return shown;
 }
 
+void MainWindow::typeAgain(const QVariantMap& typed) {
+    type_again(*page_, typed);
+    late_ = without_field(*page_, typed);
+}
+
 void MainWindow::showAgain(const Kept& kept) {
     showPlace(kept.place);
-    if (page_) type_again(*page_, kept.typed);
+    if (page_) typeAgain(kept.typed);
 }
 
 Place MainWindow::home() const {
@@ -142,7 +151,7 @@ QString MainWindow::draftOf(const Place& place) {
 // A page that opens itself anew has done what was typed for.
 void MainWindow::keepTyped(const Place& next) {
     if (page_ && page_->keepsTyped() && draftOf(next) != draftOf(place_))
-        drafts_[draftOf(place_)] = typed_texts(*page_);
+        drafts_[draftOf(place_)] = whatIsShown().typed;
 }
 
 bool MainWindow::handedOver() const {
@@ -224,8 +233,11 @@ void MainWindow::showPage(Page* made) {
         Qt::QueuedConnection);
     connect(made, &Page::notice, this, [this](const QString& text) { announce(text); });
     connect(made, &Page::written, this, &MainWindow::announce);
-    if (auto draft = drafts_.extract(draftOf(place_)); !draft.empty())
-        type_again(*made, draft.mapped());
+    late_.clear();
+    connect(made, &Page::fieldsCame, this, [this, from] {
+        if (from && page_ == from) type_again(*from, std::exchange(late_, {}));
+    });
+    if (auto draft = drafts_.extract(draftOf(place_)); !draft.empty()) typeAgain(draft.mapped());
     rememberPlace();
     updateFrame();
 }

@@ -81,6 +81,7 @@ class MainWindow : public QMainWindow {
     };
     [[nodiscard]] Kept whatIsShown() const;
     void showAgain(const Kept& kept);
+    void typeAgain(const QVariantMap& typed);  ///< Now, and when more fields have come.
     /// Of a page that is left for another one and comes back with it.
     void keepTyped(const Place& next);
     [[nodiscard]] static QString draftOf(const Place& place);
@@ -169,6 +170,7 @@ class MainWindow : public QMainWindow {
     AppContext& context_;
     Place place_;
     std::vector<Place> trail_;
+    QVariantMap late_;                       ///< Typed before; for fields that the page gets later.
     std::map<QString, QVariantMap> drafts_;  ///< Typed on pages that were left, by draftOf().
     QPointer<Page> page_;
     Notices* notices_ = nullptr;

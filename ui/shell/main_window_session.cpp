@@ -17,7 +17,6 @@
 #include "ui/shell/diagnostics_dialog.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/parts.h"
-#include "ui/shell/typed_texts.h"
 
 namespace placode::ui {
 namespace {
@@ -200,7 +199,7 @@ bool MainWindow::comesBack(const Kept& kept) {
     }
     place_ = place;
     showPage(made);
-    type_again(*made, kept.typed);
+    typeAgain(kept.typed);
     return true;
 }
 

@@ -119,6 +119,7 @@ class NamesCard : public QFrame {
         if (!signatures.isEmpty()) addSignatures(inside, signatures);
         inside->addLayout(addRow());
         shown_->addWidget(box);
+        Q_EMIT page_.fieldsCame();
     }
 
     /// Of those who signed on the screen.
@@ -172,6 +173,7 @@ class NamesCard : public QFrame {
         code->setObjectName("name_code");
         code->setAccessibleName(tr("Code"));
         code->addItems(codes_);
+        keep_choice(code);
         auto* name = make_line("name_name", tr("Name"));
         auto* contact = make_line("name_contact", tr("Contact"));
         auto* remark = make_line("name_remark", tr("Remark"));

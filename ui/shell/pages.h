@@ -75,6 +75,8 @@ class Page : public QWidget {
  Q_SIGNALS:
     void go(const placode::ui::Place& place);
     void back();
+    /// Fields came that were not there when the page was made: what was typed into them goes back.
+    void fieldsCame();
     void notice(const QString& text);
     /// A file or folder was written: said with the way to open it.
     void written(const QString& text, const QString& path);

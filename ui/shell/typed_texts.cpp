@@ -21,7 +21,8 @@ bool is_ours(const QWidget& field) {
 
 constexpr const char* kKept = "kept_choice";
 bool is_kept(const QWidget& field) { return field.property(kKept).toBool(); }
-QString choice_of(const QWidget& field) { return "choice/" + field.objectName(); }
+constexpr QLatin1String kChoice("choice/");
+QString choice_of(const QWidget& field) { return QString(kChoice) + field.objectName(); }
 
 /// What is chosen in a field; not valid where it is none that has a choice.
 QVariant chosen_in(const QWidget& field) {
@@ -58,11 +59,12 @@ void choose_in(QWidget& field, const QVariant& choice) {
     auto* list = qobject_cast<QComboBox*>(&field);
     if (list == nullptr) return;
     const QVariant data = chosen.value("data");
-    const int row = data.isValid() ? list->findData(data) : -1;
+    const QString text = chosen.value("text").toString();
+    const int row = data.isValid() ? list->findData(data) : list->findText(text);
     if (row >= 0)
         list->setCurrentIndex(row);
     else if (list->isEditable())
-        list->setEditText(chosen.value("text").toString());
+        list->setEditText(text);
 }
 
 }  // namespace
@@ -105,6 +107,16 @@ void type_again(const QWidget& page, const QVariantMap& texts) {
     for (auto* field : page.findChildren<QWidget*>())
         if (is_kept(*field) && texts.contains(choice_of(*field)))
             choose_in(*field, texts.value(choice_of(*field)));
+}
+
+QVariantMap without_field(const QWidget& page, const QVariantMap& texts) {
+    QVariantMap left;
+    for (auto each = texts.begin(); each != texts.end(); ++each) {
+        const QString& key = each.key();
+        const QString name = key.startsWith(kChoice) ? key.mid(kChoice.size()) : key;
+        if (page.findChild<QWidget*>(name) == nullptr) left.insert(key, each.value());
+    }
+    return left;
 }
 
 }  // namespace placode::ui

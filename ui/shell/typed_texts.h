@@ -19,6 +19,9 @@ void keep_choice(QWidget* field);
 /// By the names of the fields. Without what a field hides: passwords are typed again.
 [[nodiscard]] QVariantMap typed_texts(const QWidget& page);
 
+/// Those of them for which the page has no field, yet.
+[[nodiscard]] QVariantMap without_field(const QWidget& page, const QVariantMap& texts);
+
 /// Into the fields of the same names that the page itself left empty or that keep_choice() named.
 void type_again(const QWidget& page, const QVariantMap& texts);
 

@@ -223,6 +223,7 @@ class WatchPage : public Page {
             [this](const std::vector<db::CommentRecord>& comments) {
                 ledger_->setMarks(marks_of(comments));
             }));
+        Q_EMIT fieldsCame();
     }
 
     void playOrPause() {
