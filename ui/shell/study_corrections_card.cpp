@@ -43,20 +43,7 @@ QTableWidget* corrections_table(const std::vector<db::Correction>& corrections) 
     return table;
 }
 
-}  // namespace
-
-QWidget* make_corrections_card(AppContext& context, Page& page,
-                               const std::vector<db::AnswerRecord>& answers,
-                               const std::vector<db::Correction>& corrections,
-                               const QTableWidget* people, const std::function<void()>& again) {
-    auto* layout = new QVBoxLayout;
-    layout->setSpacing(kSpace12);
-    layout->addWidget(make_label(CorrectionWords::tr("Corrections"), "heading"));
-    layout->addWidget(make_label(
-        CorrectionWords::tr("An answer is changed for a reason; the old one stays readable here."),
-        "muted"));
-    auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(kSpace8);
+QComboBox* make_sets(const std::vector<db::AnswerRecord>& answers, const QTableWidget* people) {
     auto* sets = new QComboBox;
     sets->setObjectName("correct_answers_of");
     sets->setAccessibleName(CorrectionWords::tr("Answers of"));
@@ -80,6 +67,24 @@ QWidget* make_corrections_card(AppContext& context, Page& page,
     QObject::connect(people, &QTableWidget::itemSelectionChanged, sets, follow);
     follow();
     keep_choice(sets);
+    return sets;
+}
+
+}  // namespace
+
+QWidget* make_corrections_card(AppContext& context, Page& page,
+                               const std::vector<db::AnswerRecord>& answers,
+                               const std::vector<db::Correction>& corrections,
+                               const QTableWidget* people, const std::function<void()>& again) {
+    auto* layout = new QVBoxLayout;
+    layout->setSpacing(kSpace12);
+    layout->addWidget(make_label(CorrectionWords::tr("Corrections"), "heading"));
+    layout->addWidget(make_label(
+        CorrectionWords::tr("An answer is changed for a reason; the old one stays readable here."),
+        "muted"));
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(kSpace8);
+    QComboBox* sets = make_sets(answers, people);
     auto* item = make_line("correct_item", CorrectionWords::tr("Item, e.g. A"));
     auto* value =
         make_line("correct_value", CorrectionWords::tr("New answer; empty takes it away"));
