@@ -161,6 +161,20 @@ std::string_view event_name(EventKind kind) noexcept {
             return "slit_pressed";
         case EventKind::kSlitOpened:
             return "slit_opened";
+        case EventKind::kNeedleGrip:
+            return "needle_grip";
+        case EventKind::kNeedleHandedOver:
+            return "needle_handed_over";
+        case EventKind::kNeedleSwung:
+            return "needle_swung";
+        case EventKind::kNeedlePlaced:
+            return "needle_placed";
+        case EventKind::kNeedleShown:
+            return "needle_shown";
+        case EventKind::kNeedleLaid:
+            return "needle_laid";
+        case EventKind::kNeedleDropped:
+            return "needle_dropped";
     }
     return "unknown";
 }

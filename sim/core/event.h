@@ -76,6 +76,13 @@ enum class EventKind : uint16_t {
                           ///< element = number of the bite, from 0
     kThreadDrawn = 69,    ///< a thread was drawn, where the step has `enough_n`: value = step,
                           ///< value2 = hardest pull while the slit was shut [N]
+    kNeedlePlaced = 71,   ///< jaws took a needle as a step wants it: value = step, value2 = how far
+                          ///< from the place that it names, as a share of the arc
+    kNeedleShown = 72,    ///< its point was held at a mark: value = step, value2 = distance [m]
+    kNeedleLaid = 73,     ///< it was let go at its mark: value = step, value2 = distance of its
+                          ///< middle from the mark [m]
+    kNeedleDropped = 74,  ///< it was let go in the open elsewhere: value = step, value2 = height of
+                          ///< its lowest place over the tissue [m]
     // Live tuning (sim/step/live_tuning.h).
     kTuned = 70,  ///< value = the new value, element = TuneParameter, tissue = which one, hash =
                   ///< frame before which it was done
@@ -163,6 +170,16 @@ enum class EventKind : uint16_t {
                          ///< never did [Pa], value2 = 1 opened, 0 not, element = station,
     ///< rest_position = its middle. The first has element -1, value = number of
     ///< stations, value2 = 1 where the slit burst, 0 where it held
+    // A needle that may go from hand to hand: scenes with two drivers. Place: of the jaws.
+    kNeedleGrip = 114,  ///< with each kNeedleTaken: value = cosine of the angle between the
+                        ///< needle's axis and the shaft (1 = its plane is square to it), value2 =
+                        ///< cosine of that between the wire and the jaws' width (1 = the wire is)
+    kNeedleHandedOver = 115,  ///< it went to another driver, tool = this one: value = sine of half
+                              ///< the angle by which it turned while both held it, value2 = largest
+                              ///< force between them [N], element = how long both held it [ms]; 0
+                              ///< of all of these: it was let go in between
+    kNeedleSwung = 116,  ///< nobody holds it any more, or the attempt is over: value = how far it
+                         ///< was turned in hands since it was taken [rad]
 };
 /// What a kIrrigated event tells: value, value2.
 enum class IrrigationSum : int32_t {

@@ -59,7 +59,8 @@ void ledger_force(const Scene& scene, State& state, int t, double dt) noexcept {
             spell.contact_s = spell.peak_force_n = spell.quiet_s = 0;
         }
     }
-    const double force = tool.force_n.norm();
+    const double force =
+        (between_hands(state) ? Vec3(tool.force_n - tool.needle_n) : tool.force_n).norm();
     if (force > scene.contact.over_force_n) {
         spell.over_force_s += seconds;
         spell.over_force_peak_n = std::max(spell.over_force_peak_n, static_cast<float>(force));
@@ -205,11 +206,13 @@ void ledger_body(const Scene& scene, State& state) noexcept {
 /// A needle that slides or turns in its jaws.
 void open_jaw_slips(const State& state, std::vector<Event>& events) {
     const Suturing& s = state.suturing;
-    const auto add = [&](const JawSlip& slip, EventKind kind) {
-        if (slip.s > 0) events.push_back(driver_event(state, kind, s.driver, slip.s, slip.peak));
+    const auto add = [&](const JawSlip& slip, EventKind kind, int tool) {
+        if (slip.s > 0) events.push_back(driver_event(state, kind, tool, slip.s, slip.peak));
     };
-    add(s.slide, EventKind::kNeedleSlipped);
-    add(s.turn, EventKind::kNeedleTurned);
+    add(s.slide, EventKind::kNeedleSlipped, s.driver);
+    add(s.turn, EventKind::kNeedleTurned, s.driver);
+    add(s.handover.slide, EventKind::kNeedleSlipped, s.handover.second);
+    add(s.handover.turn, EventKind::kNeedleTurned, s.handover.second);
 }
 
 /// Says what this ledger has, also where that is nothing: sums of over-stretch, tissue taken out.

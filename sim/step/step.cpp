@@ -157,9 +157,8 @@ float contact_share_of(const Scene& scene, const State& state, int t) noexcept {
 
 /// Of a needle in the jaws of tool `t`, in its frame; zero without one.
 Vec3 needle_centre(const State& state, int t) noexcept {
-    const Suturing& suturing = state.suturing;
-    if (suturing.placed == 0 || suturing.driver != t) return Vec3::Zero();
-    return state.tools[t].proxy.inverse() * suturing.needle[0].needle.p;
+    if (state.suturing.placed == 0 || hold_of(state, t) == nullptr) return Vec3::Zero();
+    return state.tools[t].proxy.inverse() * state.suturing.needle[0].needle.p;
 }
 
 void give_feedback(const Scene& scene, State& state, std::span<ToolFeedback> feedback) noexcept {

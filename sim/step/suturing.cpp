@@ -27,6 +27,15 @@ bool works(const Scene& scene, const State& state) noexcept {
     return scene.suture && state.suturing.placed != 0;
 }
 
+/// What the needle does to a driver whose jaws hold it.
+void feel_needle(const Scene& scene, State& state, int t) noexcept {
+    ToolState& tool = state.tools[as_index(t)];
+    const Vec3 pull = -hold_of(state, t)->force_n / state.substeps;
+    tool.force_n += pull;
+    tool.needle_n += pull;
+    tool.stiffness_n_m += needle_pull(scene, state, t).stiffness_n_m / state.substeps;
+}
+
 }  // namespace
 
 void begin_suturing(const Scene& scene, State& state) noexcept {
@@ -39,8 +48,10 @@ void begin_suturing(const Scene& scene, State& state) noexcept {
 void begin_suture_substep(const Scene& scene, State& state, double h_s) noexcept {
     if (!works(scene, state)) return;
     SutureState& needle = state.suturing.needle[0];
-    const int t = state.suturing.driver;
+    const int t = state.suturing.driver, second = state.suturing.handover.second;
     const Pose hand = t >= 0 ? state.tools[as_index(t)].proxy : needle.hold.hand;
+    if (second >= 0)
+        move_second_hand(needle, state.scratch->suture[0], state.tools[as_index(second)].proxy);
     begin_suture(*scene.suture, needle, tissue_of(scene, state), state.scratch->suture[0], hand,
                  h_s, state.scratch->suture_report);
 }
@@ -68,17 +79,15 @@ void finish_suture_substep(const Scene& scene, State& state, double h_s) noexcep
     s.point_n = std::max(s.point_n, static_cast<float>(report.point_force_n));
     s.thread_n = std::max(s.thread_n, static_cast<float>(report.thread_pull_n));
     if (s.driver < 0) return;
+    feel_needle(scene, state, s.driver);
+    if (s.handover.second >= 0) feel_needle(scene, state, s.handover.second);
     ToolState& tool = state.tools[as_index(s.driver)];
-    const Vec3 pull = -s.needle[0].hold.force_n / state.substeps;
-    tool.force_n += pull;
-    tool.needle_n += pull;
     // Whoever pricks the placode touches it, and who draws wire or thread through it.
     tool.placode_force_n += placode_n / state.substeps;
     // Of a point that is free this is the force it had.
     const NeedlePoint& point = s.needle[0].point;
     if (point.mode != PointMode::kFree && point.tissue == Tissue::kPlacode)
         tool.placode_force_n += report.point_force_n / state.substeps;
-    tool.stiffness_n_m += needle_pull(scene, state, s.driver).stiffness_n_m / state.substeps;
 }
 
 void update_suturing(const Scene& scene, State& state, double dt) noexcept {

@@ -89,8 +89,9 @@ class SutureScratch {
     std::array<NeedleSupport, kMostSupports> supports{};  ///< First `support_count`.
     ThreadLine thread;
     int bond_count = 0, colour_count = 0, support_count = 0;
-    Pose start;        ///< The needle when the substep began.
-    Pose hand_before;  ///< And the hand.
+    Pose start;          ///< The needle when the substep began.
+    Pose hand_before;    ///< And the hand,
+    Pose second_before;  ///< and that of the second hold.
 };
 
 /// Where the point of a bond is now [m].

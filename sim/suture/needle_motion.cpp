@@ -8,6 +8,7 @@
 
 #include "sim/core/as_index.h"
 #include "sim/core/turn.h"
+#include "sim/suture/needle_hold.h"
 
 namespace placode::sim {
 namespace {
@@ -39,94 +40,7 @@ Mat36 motion_of(const Vec3& from_centre) noexcept {
     return j;
 }
 
-/// Where the hold wants the needle, and how far it is from there.
-struct HoldError {
-    HoldError(const NeedleHold& hold, const Pose& X_WN) noexcept {
-        target = hold.hand * hold.X_HN;
-        grip = X_WN * hold.held_N;
-        offset = grip - target * hold.held_N;
-        turn = turn_between(target.q, X_WN.q);
-    }
-    Pose target;
-    Vec3 grip, offset, turn;
-};
-
-double energy_of(const JawSpec& jaws, const HoldError& e) noexcept {
-    return 0.5 * jaws.pull_n_m * e.offset.squaredNorm() +
-           0.5 * jaws.turn_n_m_rad * e.turn.squaredNorm();
-}
-
-void feel(const JawSpec& jaws, NeedleHold& hold, const HoldError& e) noexcept {
-    hold.force_n = -jaws.pull_n_m * e.offset;
-    hold.torque_n_m = -jaws.turn_n_m_rad * e.turn;
-}
-
-/// Along the wire: the needle runs on its arc through the jaws, about its own centre.
-void slip_along(const Suture& suture, SutureState& state, SutureReport& report) noexcept {
-    const JawSpec& jaws = suture.spec().jaws;
-    NeedleHold& hold = state.hold;
-    const double pull = hold.force_n.dot(state.needle.q * hold.back_N);
-    const double most = 2 * jaws.friction * jaws.force_n;
-    if (std::abs(pull) <= most) return;
-    // The hand pulls the grip towards the swage: the target comes after it, towards the point.
-    const double slip = std::copysign((std::abs(pull) - most) / jaws.pull_n_m, pull);
-    const double before = hold_energy(suture, state);
-    const double angle = slip / suture.needle().radius_m();
-    Quat turn = Quat::Identity();
-    turn_by(turn, Vec3(0, 0, -angle));
-    hold.X_HN.q = hold.X_HN.q * turn;
-    hold.arc_m += slip;
-    hold.held_N = turn.conjugate() * hold.held_N;
-    hold.back_N = turn.conjugate() * hold.back_N;
-    feel(jaws, hold, HoldError(hold, state.needle));
-    state.work.jaws += before - hold_energy(suture, state);
-    tell(report, {SutureEventKind::kSlipped, Tissue::kSkin, std::abs(pull), Vec3::Zero(), -1});
-    if (hold.arc_m >= 0 && hold.arc_m <= suture.needle().arc_m()) return;
-    state.work.jaws += hold_energy(suture, state);  // drawn out of the jaws
-    let_go_needle(state);
-}
-
-/// About the grip.
-void slip_round(const Suture& suture, SutureState& state, SutureReport& report) noexcept {
-    const JawSpec& jaws = suture.spec().jaws;
-    NeedleHold& hold = state.hold;
-    const double torque = hold.torque_n_m.norm();
-    const double most = jaws.friction * jaws.force_n * jaws.width_m;
-    if (torque <= most) return;
-    const double before = hold_energy(suture, state);
-    const HoldError e(hold, state.needle);
-    Pose target = e.target;
-    turn_by(target.q, (1 - most / torque) * e.turn);
-    target.p = e.grip - e.offset - target.q * hold.held_N;  // the grip's target stays
-    hold.X_HN = hold.hand.inverse() * target;
-    hold.X_HN.q.normalize();
-    feel(jaws, hold, HoldError(hold, state.needle));
-    state.work.jaws += before - hold_energy(suture, state);
-    tell(report, {SutureEventKind::kTurned, Tissue::kSkin, torque, Vec3::Zero(), -1});
-}
-
 }  // namespace
-
-void tell(SutureReport& report, const SutureEvent& event) noexcept {
-    // A slip tells of every substep: the hardest is enough, or bites would find no room.
-    if (event.kind == SutureEventKind::kSlipped || event.kind == SutureEventKind::kTurned) {
-        for (int i = 0; i < report.event_count; ++i) {
-            SutureEvent& told = report.events[as_index(i)];
-            if (told.kind != event.kind) continue;
-            told.force_n = std::max(told.force_n, event.force_n);
-            return;
-        }
-    }
-    if (report.event_count == kMostSutureEvents)
-        report.dropped = true;
-    else
-        report.events[as_index(report.event_count++)] = event;
-}
-
-double hold_energy(const Suture& suture, const SutureState& state) noexcept {
-    if (state.hold.held == 0) return 0;
-    return energy_of(suture.spec().jaws, HoldError(state.hold, state.needle));
-}
 
 double kinetic_energy(const Needle& needle, const SutureState& state) noexcept {
     const Vec3 w_N = state.needle.q.conjugate() * state.w;
@@ -141,10 +55,18 @@ void begin_needle(const Suture& /*suture*/, SutureState& state, SutureScratch& s
     state.hold.hand.q.coeffs() *= 1 / std::sqrt(X_WH.q.squaredNorm());
 }
 
+void move_second_hand(SutureState& state, SutureScratch& scratch, const Pose& X_WH) noexcept {
+    NeedleHold& hold = state.second.hold;
+    scratch.second_before = hold.hand;
+    hold.hand = X_WH;
+    hold.hand.q.coeffs() *= 1 / std::sqrt(X_WH.q.squaredNorm());
+}
+
 void find_supports(const Suture& suture, const SutureState& state, const SuturedTissue& tissue,
                    SutureScratch& scratch) noexcept {
     scratch.support_count = 0;
-    if (state.hold.held != 0 || state.passage_count > 0) return;
+    const bool held = state.hold.held != 0 || state.second.hold.held != 0;
+    if (held || state.passage_count > 0) return;
     const Needle& needle = suture.needle();
     const double wire = needle.spec().wire_radius_m, floor = suture.spec().floor_m;
     const auto add = [&](const Vec3& at_N, const Vec3& n, double offset) {
@@ -194,6 +116,16 @@ void add_supports(const PosedNeedle& posed, const Vec3& centre, const SutureScra
     }
 }
 
+void add_hold(const JawSpec& jaws, const NeedleHold& hold, const Pose& X_WN, const Vec3& centre,
+              Vec6& gradient, Mat6& hessian) noexcept {
+    const HoldError e(hold, X_WN);
+    const Mat36 j = motion_of(e.grip - centre);
+    gradient += jaws.pull_n_m * (j.transpose() * e.offset);
+    hessian += jaws.pull_n_m * (j.transpose() * j);
+    gradient.tail<3>() += jaws.turn_n_m_rad * e.turn;
+    hessian.bottomRightCorner<3, 3>().diagonal().array() += jaws.turn_n_m_rad;
+}
+
 /// One step, with the slope of what bonds do or with their secant.
 /// @param step what it did: offset of the centre of mass, turn.
 /// @return how far it went, in radii and radians, or -1 where it is not finite.
@@ -215,14 +147,8 @@ double newton_step(const Suture& suture, SutureState& state, SutureScratch& scra
     gradient.tail<3>() = inertia * (held * turned - per_h * state.w);
     hessian.topLeftCorner<3, 3>().diagonal().setConstant(m * held);
     hessian.bottomRightCorner<3, 3>() = held * inertia;
-    if (state.hold.held != 0) {
-        const HoldError e(state.hold, state.needle);
-        const Mat36 j = motion_of(e.grip - centre);
-        gradient += spec.jaws.pull_n_m * (j.transpose() * e.offset);
-        hessian += spec.jaws.pull_n_m * (j.transpose() * j);
-        gradient.tail<3>() += spec.jaws.turn_n_m_rad * e.turn;
-        hessian.bottomRightCorner<3, 3>().diagonal().array() += spec.jaws.turn_n_m_rad;
-    }
+    for (const NeedleHold* hold : {&state.hold, &state.second.hold})
+        if (hold->held != 0) add_hold(spec.jaws, *hold, state.needle, centre, gradient, hessian);
     const PosedNeedle posed(needle, state.needle);
     for (int n = 0; n < scratch.bond_count; ++n) {
         const Vec3& p = scratch.places[as_index(n)];
@@ -282,18 +208,11 @@ void finish_needle(const Suture& suture, SutureState& state, const SutureScratch
         state.v = (state.needle * needle.centre_m() - scratch.start * needle.centre_m()) / h_s;
         state.w = turn_between(scratch.start.q, state.needle.q) / h_s;
     }
-    NeedleHold& hold = state.hold;
-    if (hold.held == 0) return;
-    const HoldError e(hold, state.needle);
-    const Vec3 force = hold.force_n, torque = hold.torque_n_m;
-    feel(suture.spec().jaws, hold, e);
-    // Both ends of the offset with half the force: exact for a spring.
-    const Pose before = X_WH_before * hold.X_HN;
-    state.work.hand +=
-        0.5 * (force + hold.force_n).dot(e.target * hold.held_N - before * hold.held_N) +
-        0.5 * (torque + hold.torque_n_m).dot(turn_between(before.q, e.target.q));
-    slip_along(suture, state, report);
-    if (hold.held != 0) slip_round(suture, state, report);
+    const double force_n = suture.spec().jaws.force_n;
+    const auto& firm = state.second.firm;
+    Jaws{suture, state, state.hold, firm[0] * force_n, 0, report}.finish(X_WH_before);
+    Jaws{suture, state, state.second.hold, firm[1] * force_n, 1, report}.finish(
+        scratch.second_before);
 }
 
 }  // namespace placode::sim

@@ -48,6 +48,9 @@ class Hash {
         else
             fields(value, *this);
     }
+    void add(const SecondHold& second) noexcept {
+        if (second.hold.held != 0) fields(second, *this);
+    }
     template <class T, size_t N>
     requires(!kPlainBytes<T>) void add(const std::array<T, N>& values) noexcept {
         for (const T& value : values) add(value);
@@ -75,9 +78,10 @@ uint64_t state_hash(const SutureState& state) noexcept {
     return hash.value();
 }
 
-void take_needle(const Suture& suture, SutureState& state, const Pose& X_WH,
-                 double arc_m) noexcept {
-    NeedleHold& hold = state.hold;
+namespace {
+
+void take(const Suture& suture, const SutureState& state, NeedleHold& hold, const Pose& X_WH,
+          double arc_m) noexcept {
     hold.held = 1;
     hold.hand = X_WH;
     hold.hand.q.normalize();
@@ -89,9 +93,29 @@ void take_needle(const Suture& suture, SutureState& state, const Pose& X_WH,
     hold.force_n = hold.torque_n_m = Vec3::Zero();
 }
 
+}  // namespace
+
+void take_needle(const Suture& suture, SutureState& state, const Pose& X_WH,
+                 double arc_m) noexcept {
+    take(suture, state, state.hold, X_WH, arc_m);
+}
+
+void take_needle_too(const Suture& suture, SutureState& state, const Pose& X_WH,
+                     double arc_m) noexcept {
+    state.second = {};
+    take(suture, state, state.second.hold, X_WH, arc_m);
+}
+
 void let_go_needle(SutureState& state) noexcept {
+    if (state.second.hold.held != 0) {
+        state.hold = state.second.hold;
+        state.second = {};
+        return;
+    }
     state.hold.held = 0;
     state.hold.force_n = state.hold.torque_n_m = Vec3::Zero();
 }
+
+void let_go_second(SutureState& state) noexcept { state.second = {}; }
 
 }  // namespace placode::sim

@@ -85,7 +85,7 @@ void fields(Of<NeedlePoint> auto& s, Visit&& visit) {
     visit.state(mode, at, tissue, hold_n_m, since_passage_m);
 }
 
-/// The hand's hold.
+/// A hand's hold.
 struct NeedleHold {
     uint8_t held = 0;
     Pose hand;                    ///< X_WH at the end of the last substep.
@@ -102,10 +102,22 @@ void fields(Of<NeedleHold> auto& s, Visit&& visit) {
     visit.state(held, hand, X_HN, arc_m, held_N, back_N, force_n, torque_n_m);
 }
 
+/// Other jaws that hold the needle at the same time: who hands it over and who takes it.
+struct SecondHold {
+    NeedleHold hold;
+    /// Share of the jaws' force, of the first and of these, 0 to 1: jaws that open give way.
+    std::array<double, 2> firm{1, 1};
+};
+template <class Visit>
+void fields(Of<SecondHold> auto& s, Visit&& visit) {
+    auto& [hold, firm] = s;
+    visit.state(hold, firm);
+}
+
 /// Where energy went [J]. Stored energy is that of suture_energy(); what dissipates here was
 /// stored in a bond before. Motion and the tissue's damping are not in it.
 struct SutureWork {
-    double hand = 0;      ///< Done by the hand on its hold.
+    double hand = 0;      ///< Done by the hands on their holds.
     double puncture = 0;  ///< Dissipated: surfaces opened, and tissue cut.
     double friction = 0;  ///< Dissipated in channels and under the point.
     double jaws = 0;      ///< Dissipated by slip in the jaws.
@@ -126,6 +138,7 @@ struct SutureState {
     Vec3 v = Vec3::Zero();  ///< Of the centre of mass [m/s].
     Vec3 w = Vec3::Zero();  ///< In W [rad/s].
     NeedleHold hold;
+    SecondHold second;
     NeedlePoint point;
     std::vector<Passage> passages;  ///< First `passage_count`.
     int32_t passage_count = 0;
@@ -135,8 +148,8 @@ struct SutureState {
 };
 template <class Visit>
 void fields(Of<SutureState> auto& s, Visit&& visit) {
-    auto& [needle, v, w, hold, point, passages, passage_count, channels, work, thread] = s;
-    visit.state(needle, v, w, hold, point, passages, passage_count, channels, work, thread);
+    auto& [needle, v, w, hold, second, point, passages, passage_count, channels, work, thread] = s;
+    visit.state(needle, v, w, hold, second, point, passages, passage_count, channels, work, thread);
 }
 
 enum class SutureEventKind : uint8_t {
@@ -161,6 +174,7 @@ struct SutureEvent {
     int32_t tet = -1;  ///< There.
     /// kEntered, kLeft: of the angle between the point's way and the surface as it is at rest.
     double sine = 0;
+    int hold = 0;  ///< kSlipped, kTurned: 0 in the first jaws, 1 in the second ones.
 };
 
 /// What a substep tells.
@@ -175,13 +189,18 @@ struct SutureReport {
     bool not_finite = false;   ///< The needle was put back where it was, at rest.
 };
 
-/// Hash over everything that decides the future.
+/// Hash over everything that decides the future. A second hold that does not hold is no part of it.
 [[nodiscard]] uint64_t state_hash(const SutureState& state) noexcept;
 
 /// The hand at X_WH takes the needle where it is.
 /// @param arc_m where the jaws hold it, cut to the arc.
 void take_needle(const Suture& suture, SutureState& state, const Pose& X_WH, double arc_m) noexcept;
-/// The hand lets go.
+/// Another hand takes it as well; both hold it from now on.
+void take_needle_too(const Suture& suture, SutureState& state, const Pose& X_WH,
+                     double arc_m) noexcept;
+/// The hand lets go. One that holds it as well goes on as the only one.
 void let_go_needle(SutureState& state) noexcept;
+/// The second hand lets go.
+void let_go_second(SutureState& state) noexcept;
 
 }  // namespace placode::sim

@@ -114,9 +114,11 @@ void hash_scissors(Hash& hash, const Scissors& blades) noexcept {
 }
 
 void hash_suturing(Hash& hash, const Suturing& suturing) noexcept {
-    const auto& [needle, placed, driver, locked, held_s, peak_n, slide, turn, taken, entered, left,
-                 through, entry_m, exit_m, point_n, thread_n] = suturing;
+    const auto& [needle, placed, driver, handover, locked, held_s, peak_n, slide, turn, taken,
+                 entered, left, through, entry_m, exit_m, point_n, thread_n] = suturing;
     for (const SutureState& one : needle) hash.each(state_hash(one), placed, driver);
+    // Where one hand has the needle its bits are those of scenes with one driver.
+    if (handover.second >= 0) hash.each(handover.second);
     hash.without(locked, held_s, peak_n, slide, turn, taken, entered, left, through, entry_m,
                  exit_m, point_n, thread_n);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/world/suturing_state.h"
 
+#include <algorithm>
+
 #include "sim/core/as_index.h"
 #include "sim/world/add_event.h"
 #include "sim/world/scene.h"
@@ -18,12 +20,33 @@ Suturing::Suturing(const Scene& scene) {
 
 NeedlePull needle_pull(const Scene& scene, const State& state, int tool) noexcept {
     const Suturing& s = state.suturing;
-    if (s.needle.empty() || s.driver != tool) return {};
-    const SutureState& needle = s.needle[0];
-    const bool open = needle.passage_count == 0 && needle.point.mode == PointMode::kFree &&
-                      needle.thread.channel_count == 0;
-    if (open) return {};
-    return {-needle.hold.force_n, scene.suture->spec().jaws.pull_n_m};
+    const NeedleHold* hold = hold_of(state, tool);
+    if (hold == nullptr) return {};
+    if (needle_in_the_open(s.needle[0]) && s.handover.second < 0) return {};
+    return {-hold->force_n, scene.suture->spec().jaws.pull_n_m};
+}
+
+const NeedleHold* hold_of(const State& state, int tool) noexcept {
+    const Suturing& s = state.suturing;
+    if (s.needle.empty() || tool < 0) return nullptr;
+    if (s.driver == tool) return &s.needle[0].hold;
+    if (s.handover.second == tool) return &s.needle[0].second.hold;
+    return nullptr;
+}
+
+bool needle_in_the_open(const SutureState& needle) noexcept {
+    return needle.passage_count == 0 && needle.point.mode == PointMode::kFree &&
+           needle.thread.channel_count == 0;
+}
+
+bool between_hands(const State& state) noexcept {
+    return state.suturing.handover.second >= 0 && needle_in_the_open(state.suturing.needle[0]);
+}
+
+bool has_two_drivers(const Scene& scene) noexcept {
+    return std::count_if(scene.tools.begin(), scene.tools.end(), [](const ToolSpec& tool) {
+               return tool.kind == ToolKind::kNeedleDriver;
+           }) > 1;
 }
 
 Event driver_event(const State& state, EventKind kind, int tool, float value,
