@@ -66,6 +66,13 @@ constexpr EventSource kSources[]{
     {"bite_depth_mm", EventKind::kNeedleLeft, Show::kLast, false},
     {"bite_angle_deg", EventKind::kNeedleEntered, Show::kLast, false},
     {"needle_entries", EventKind::kNeedleEntered, Show::kLast, false},
+    {"needle_handovers", EventKind::kNeedleHandedOver, Show::kLast, false},
+    {"needle_drops", EventKind::kNeedleDropped, Show::kFirst, false},
+    {"needle_place_off_percent", EventKind::kNeedlePlaced, Show::kStrongest, false},
+    {"needle_askew_deg", EventKind::kNeedleGrip, Show::kWeakest, false},
+    {"needle_turned_deg", EventKind::kNeedleSwung, Show::kLongest, false},
+    {"needle_handover_turn_deg", EventKind::kNeedleHandedOver, Show::kLongest, false},
+    {"needle_handover_force_mn", EventKind::kNeedleHandedOver, Show::kStrongest, false},
     {"placode_snip_mm2", EventKind::kPlacodeCut, Show::kLongest, false},
 };
 
@@ -241,6 +248,11 @@ std::optional<Locus> locate_suture(std::string_view metric, const sim::Recording
     if (metric == "needle_slips") {
         return locate_first(recording, [](const Event& e) {
             return e.kind == EventKind::kNeedleSlipped || e.kind == EventKind::kNeedleTurned;
+        });
+    }
+    if (metric == "needle_let_between") {
+        return locate_first(recording, [](const Event& e) {
+            return e.kind == EventKind::kNeedleHandedOver && e.element <= 0;
         });
     }
     if (metric == "thread_cuts") {

@@ -8,6 +8,7 @@
 
 #include "assessment/bites.h"
 #include "assessment/closure.h"
+#include "assessment/handling_metrics.h"
 #include "assessment/motion_detail.h"
 #include "assessment/motion_metrics.h"
 #include "assessment/patch_metrics.h"
@@ -68,6 +69,7 @@ void add_what_needs_no_track(const sim::Recording& recording, std::vector<Metric
     add_tissue_metrics(recording, found);
     add_practice_metrics(recording, found);
     add_suture_metrics(recording, found);
+    add_handling_metrics(recording, found);
     add_bite_metrics(recording, found);
     add_closure_metrics(recording, found);
     add_patch_metrics(recording, found);

@@ -21,7 +21,7 @@ namespace placode::assessment {
 /// 19: taps on one spot or in air are one spell, tugs one pull; a traced line is weighed by the
 /// way. 20: a bite through a slit from its entry.
 /// 21: healthy skin that leaves with a piece is torn; wire and thread touch the placode.
-/// 22: where a slit leaks.
+/// 22: where a slit leaks; how a needle goes from hand to hand.
 inline constexpr int kMetricSetVersion = 22;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };

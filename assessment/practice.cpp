@@ -120,6 +120,7 @@ std::span<const sim::Event> PracticeTracker::see(const PracticeSight& sight) noe
     // A single bite says all of itself with its distances from the marks.
     if (bites_ > 1 && step().kind == PracticeKind::kNeedleIn && marked_ != index_ && !done())
         tell_marks(sight.needle);
+    if (!done() && sight.needle.handled) watch_handling(sight);
     if (!done() && did(sight)) advance(now_s_);
     return {events_.data(), event_count_};
 }

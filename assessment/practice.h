@@ -23,6 +23,16 @@ struct NeedleSight {
     sim::Vec3 entry_m = sim::Vec3::Zero(), exit_m = sim::Vec3::Zero();  ///< The last, at rest.
     /// It went into a wall of a slit, or came out of one: half of a bite.
     bool entry_in_slit = false, exit_in_slit = false;
+    /// Two drivers: it goes from hand to hand, and every take is one of a certain hand.
+    bool handled = false;
+    std::array<bool, sim::kMaxTools> held{};     ///< By which instrument.
+    std::array<double, sim::kMaxTools> share{};  ///< Where these hold it, as `held_share`.
+    /// Its point and its middle, in W [m], and the lowest place of its wire over the field's plane.
+    sim::Vec3 point_m = sim::Vec3::Zero(), middle_m = sim::Vec3::Zero();
+    double lowest_m = 0;
+    [[nodiscard]] bool free() const noexcept {
+        return std::find(held.begin(), held.end(), true) == held.end();
+    }
     std::array<sim::Vec3, 2> mark_m{sim::Vec3::Zero(),
                                     sim::Vec3::Zero()};  ///< Of the step, likewise.
 };
@@ -121,6 +131,9 @@ class PracticeTracker {
     [[nodiscard]] bool did_trace(const sim::ToolSample& tool, int index, double time_s) noexcept;
     [[nodiscard]] bool did_traction(const PracticeSight& sight) noexcept;
     [[nodiscard]] bool did_bite(const PracticeSight& sight, int tool) noexcept;
+    void watch_handling(const PracticeSight& sight) noexcept;
+    [[nodiscard]] bool did_handle(const PracticeSight& sight, int tool) noexcept;
+    [[nodiscard]] bool did_take(const NeedleSight& needle, int tool) noexcept;
     [[nodiscard]] bool eased_off(double slit_gap_m, double pull_n) noexcept;
     [[nodiscard]] bool did_draw(double slit_gap_m, double pull_n) noexcept;
     [[nodiscard]] bool did_wash(const WashSight* wash) noexcept;
@@ -146,6 +159,7 @@ class PracticeTracker {
     sim::Vec2 bin_from_ = sim::Vec2::Zero();  // where the pass was weighed last, and the distance
     double bin_from_offset_ = 0;              // from the line there
     NeedleSight needle_;                      // of the last sample
+    bool carried_ = false;                    // a needle was in hands then
     int through_before_ = 0;       // times it had been drawn through when it came out of this bite
     int bites_ = 0, marked_ = -1;  // marked: the last step whose marks were told
     std::array<sim::Event, 8> events_{};

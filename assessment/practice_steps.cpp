@@ -23,6 +23,7 @@ constexpr double kGoneM = 1e-4;          // more than a hand trembles: so far it
 constexpr double kStandsM = 1e-9;        // weighs as much of a way, where there is no other
 constexpr int kBinsEnough = 69;          // of 72: the last ones meet the first
 constexpr double kTakenWithin = 0.15;    // of the needle's arc
+constexpr double kLaidFromM = 0.003;     // over the field: a needle let go lower is laid down
 constexpr double kEasedShare = 0.5;      // of a pull that is enough: below it the hand gave way
 constexpr double kTractionReachM = 0.005;
 constexpr double kLaidShare = 0.95;  // of the placode's edge: a patch that overlaps so much is laid
@@ -63,6 +64,10 @@ bool PracticeTracker::did(const PracticeSight& sight) noexcept {
         case PracticeKind::kNeedleTake:
         case PracticeKind::kNeedleThrough:
             done = did_bite(sight, index);
+            break;
+        case PracticeKind::kNeedleShow:
+        case PracticeKind::kNeedleLay:
+            done = did_handle(sight, index);
             break;
         case PracticeKind::kThreadDraw:
             // Not the driver's force, which may press the edges together beside the thread.
@@ -244,6 +249,7 @@ bool PracticeTracker::did_traction(const PracticeSight& sight) noexcept {
 /// Where the needle goes in and comes out; a needle that was drawn back may go in once more.
 bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
     const NeedleSight& now = sight.needle;
+    if (now.handled && step().kind == PracticeKind::kNeedleTake) return did_take(now, tool);
     const bool in = now.entered > needle_.entered && !now.entry_in_slit;
     const bool out = now.left > needle_.left && !now.exit_in_slit;
     const bool taken = now.taken > needle_.taken;
@@ -265,6 +271,44 @@ bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
     const bool there =
         step().take_share == 0 || std::abs(now.held_share - step().take_share) <= kTakenWithin;
     return through || (kind == PracticeKind::kNeedleTake && taken && there);
+}
+
+/// By this hand, whether another one holds it as well or not.
+bool PracticeTracker::did_take(const NeedleSight& needle, int tool) noexcept {
+    const auto i = static_cast<size_t>(tool);
+    const double wanted = step().take_share, off = std::abs(needle.share[i] - wanted);
+    if (!needle.held[i] || (wanted > 0 && off > kTakenWithin)) return false;
+    if (wanted > 0) emit(sim::EventKind::kNeedlePlaced, index_, off, tool, needle.point_m);
+    return true;
+}
+
+/// A needle that falls: let go in the open, and not to lie at its mark.
+void PracticeTracker::watch_handling(const PracticeSight& sight) noexcept {
+    const NeedleSight& now = sight.needle;
+    const bool let_go = carried_ && now.free() && !now.in_tissue;
+    carried_ = !now.free();
+    if (!let_go) return;
+    const bool lays = step().kind == PracticeKind::kNeedleLay && !sight.targets.empty() &&
+                      now.lowest_m <= kLaidFromM &&
+                      (now.middle_m - sight.targets[0]).head<2>().norm() <= step().tolerance_m;
+    if (!lays) emit(sim::EventKind::kNeedleDropped, index_, now.lowest_m, -1, now.middle_m);
+}
+
+/// Held with its point at the mark; let go, lying at it.
+bool PracticeTracker::did_handle(const PracticeSight& sight, int tool) noexcept {
+    if (sight.targets.empty()) return true;
+    const NeedleSight& now = sight.needle;
+    const bool shows = step().kind == PracticeKind::kNeedleShow;
+    const double away = shows ? (now.point_m - sight.targets[0]).norm()
+                              : (now.middle_m - sight.targets[0]).head<2>().norm();
+    const bool ready =
+        shows ? now.held[static_cast<size_t>(tool)] : now.free() && now.lowest_m <= kLaidFromM;
+    held_s_ = ready && away <= step().tolerance_m ? held_s_ + dt_ : 0;
+    progress_ = std::clamp(held_s_ / std::max(step().hold_s, dt_), 0.0, 1.0);
+    if (held_s_ <= 0 || held_s_ < step().hold_s) return false;
+    emit(shows ? sim::EventKind::kNeedleShown : sim::EventKind::kNeedleLaid, index_, away, tool,
+         shows ? now.point_m : now.middle_m);
+    return true;
 }
 
 /// Whoever has held enough for a while and eases off has drawn as much as they wanted to.

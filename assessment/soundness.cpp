@@ -230,6 +230,10 @@ bool is_an_amount(sim::EventKind kind) {
         case kSlitOpened:
         case kThreadCut:
         case kThreadToreOut:
+        case kNeedleGrip:
+        case kNeedleHandedOver:
+        case kNeedleSwung:
+        case kNeedlePlaced:
             return true;
         default:
             return false;

@@ -202,6 +202,8 @@ haptics::Perception OperatorSight::seen(const sim::State& state) const noexcept 
     if (suturing.placed != 0) {
         seen.needle = true;
         seen.needle_held = suturing.driver >= 0;
+        for (size_t i = 0; i < scene_.tools.size(); ++i)
+            seen.holds_needle[i] = sim::hold_of(state, static_cast<int>(i)) != nullptr;
         seen.X_WN = suturing.needle[0].needle;
         seen.needle_arc_m = scene_.suture->needle().arc_m();
         seen.bites = suturing.entered;

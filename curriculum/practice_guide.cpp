@@ -166,10 +166,31 @@ void PracticeGuide::look(const sim::State& state) noexcept {
         show_undermining(*scene_, state, goal_);
 }
 
+/// Who holds it, where, and where it is.
+void PracticeGuide::look_at_handling(const sim::State& state,
+                                     assessment::NeedleSight& needle) const noexcept {
+    constexpr int kPlaces = 17;  // along the wire
+    const sim::Pose& X_WN = state.suturing.needle[0].needle;
+    const sim::Needle& shape = scene_->suture->needle();
+    needle.handled = true;
+    for (size_t t = 0; t < scene_->tools.size(); ++t) {
+        const sim::NeedleHold* hold = sim::hold_of(state, static_cast<int>(t));
+        needle.held[t] = hold != nullptr;
+        needle.share[t] = hold != nullptr ? hold->arc_m / needle_arc_m_ : 0;
+    }
+    needle.point_m = X_WN * shape.tip_m();
+    needle.middle_m = X_WN * shape.centre_m();
+    needle.lowest_m = needle.point_m.z();
+    for (int i = 1; i < kPlaces; ++i)
+        needle.lowest_m = std::min(
+            needle.lowest_m, (X_WN * shape.at(needle_arc_m_ * i / (kPlaces - 1)).place_m).z());
+}
+
 void PracticeGuide::look_at_needle(const sim::State& state,
                                    assessment::NeedleSight& needle) const noexcept {
     const sim::Suturing& s = state.suturing;
     if (s.needle.empty() || tracker_->done()) return;
+    if (sim::has_two_drivers(*scene_)) look_at_handling(state, needle);
     needle.taken = s.taken;
     needle.held_share = s.needle[0].hold.arc_m / needle_arc_m_;
     needle.entered = s.entered;
@@ -217,7 +238,8 @@ std::span<const sim::Event> PracticeGuide::see(const sim::State& state,
         sight.patch = &patch_.sight();
     }
     for (size_t i = 0; i < inputs.size(); ++i) {
-        sight.holds[i] = state.grasps[i].count > 0;
+        sight.holds[i] =
+            state.grasps[i].count > 0 || sim::hold_of(state, static_cast<int>(i)) != nullptr;
         sight.pull_n[i] = state.grasps[i].force_n.norm();
         sight.engaged[i] = inputs[i].engaged != 0;
     }

@@ -44,6 +44,7 @@ class PracticeGuide {
 
  private:
     void look(const sim::State& state) noexcept;
+    void look_at_handling(const sim::State& state, assessment::NeedleSight& needle) const noexcept;
     void look_at_needle(const sim::State& state, assessment::NeedleSight& needle) const noexcept;
 
     std::optional<assessment::PracticeTracker> tracker_;

@@ -185,6 +185,27 @@ constexpr std::array<ByDevice, sim::kPracticeKinds> kHints{{
                       "cap; deeper."),
       Bilingual::that("Closed, in below the lifted edge; raise the tip and open a little, 2 mm; "
                       "then deeper.")}},
+    // kNeedleShow
+    {{Bilingual::that("Keep the needle held; mouse and wheel bring its point to the ring, Shift "
+                      "and mouse turn it."),
+      Bilingual::that("Keep the needle held; W A S D, F and R bring its point to the ring, Q and E "
+                      "turn it."),
+      Bilingual::that("Keep the needle held; left stick and triggers bring its point to the ring, "
+                      "the right stick turns it."),
+      Bilingual::that("Keep the needle held; push the cap until its point is at the ring, twist "
+                      "to turn it."),
+      Bilingual::that("Keep it closed; bring the needle's point to the ring, turn the handle about "
+                      "its axis.")}},
+    // kNeedleLay
+    {{Bilingual::that("Lower the needle over the ring with the wheel until it lies there, then let "
+                      "go of the left button."),
+      Bilingual::that("Lower the needle over the ring with F until it lies there, then let go "
+                      "of X."),
+      Bilingual::that("Lower the needle over the ring with the right trigger until it lies there, "
+                      "then let go of A."),
+      Bilingual::that("Push the cap until the needle lies at the ring, then let go of the left "
+                      "button."),
+      Bilingual::that("Lower the needle until it lies at the ring, then open the handle.")}},
 }};
 
 // The scope has devices of its own.

@@ -71,10 +71,10 @@ assessment::Rubric read_rubric(const Json& json, const std::string& origin) {
 constexpr std::string_view kHoldMark = "{hold_s}";
 
 constexpr std::array<const char*, sim::kPracticeKinds> kStepKinds{
-    "move",         "depth",       "turn",           "touch",       "cut",        "coag",
-    "grasp",        "release",     "trace",          "traction",    "withdraw",   "needle_in",
-    "needle_out",   "needle_take", "needle_through", "thread_draw", "patch_take", "patch_lay",
-    "patch_spread", "wash",        "suck",           "undermine"};
+    "move",         "depth",       "turn",           "touch",       "cut",         "coag",
+    "grasp",        "release",     "trace",          "traction",    "withdraw",    "needle_in",
+    "needle_out",   "needle_take", "needle_through", "thread_draw", "patch_take",  "patch_lay",
+    "patch_spread", "wash",        "suck",           "undermine",   "needle_show", "needle_lay"};
 
 /// "{hold_s}" in a step's text is the number that the step asks for: no text can promise another.
 void fill_hold(std::string& text, double hold_s, char decimal_sign) {

@@ -40,6 +40,10 @@ void needle_goal(const haptics::Perception& seen, size_t tool, ToolGoals& goals)
     if (!seen.needle || kind == sim::PracticeKind::kNeedleThrough ||
         kind == sim::PracticeKind::kThreadDraw)
         return;
+    if (kind == sim::PracticeKind::kNeedleLay) {
+        if (seen.holds_needle[tool]) goals.place_m[tool] = practice.target_m[0];
+        return;
+    }
     if (kind == sim::PracticeKind::kNeedleTake) {
         const double share = practice.step.take_share;
         goals.place_m[tool] =
@@ -50,7 +54,10 @@ void needle_goal(const haptics::Perception& seen, size_t tool, ToolGoals& goals)
     if (mark >= practice.targets) return;
     const Vec3 wanted = practice.target_m[static_cast<size_t>(mark)];
     const Vec3 point = wire_place(seen, 0);
-    if (seen.needle_held) {
+    // Held by the other hand it is still to be taken.
+    const bool held =
+        kind == sim::PracticeKind::kNeedleShow ? seen.holds_needle[tool] : seen.needle_held;
+    if (held) {
         goals.place_m[tool] = wanted;
         goals.from_m[tool] = point;
     } else {
@@ -76,7 +83,8 @@ void patch_goal(const haptics::Perception& seen, size_t tool, ToolGoals& goals) 
 bool is_needle_step(sim::PracticeKind kind) {
     return kind == sim::PracticeKind::kNeedleIn || kind == sim::PracticeKind::kNeedleOut ||
            kind == sim::PracticeKind::kNeedleTake || kind == sim::PracticeKind::kNeedleThrough ||
-           kind == sim::PracticeKind::kThreadDraw;
+           kind == sim::PracticeKind::kThreadDraw || kind == sim::PracticeKind::kNeedleShow ||
+           kind == sim::PracticeKind::kNeedleLay;
 }
 
 /// Of a task with steps: only the hands of the present one have a goal.

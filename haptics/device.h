@@ -93,11 +93,12 @@ struct Perception {
     std::array<double, sim::kMaxTools> pull_n{};  ///< Traction of jaws that hold.
     bool piece_free = false;                      ///< What the jaws hold hangs on nothing any more.
     int pieces_out = 0;
-    bool needle = false, needle_held = false;     ///< A suture needle is there; in somebody's jaws.
-    sim::Pose X_WN;                               ///< Where it lies.
-    double needle_arc_m = 0;                      ///< Point to swage along its half circle.
-    int bites = 0, exits = 0, drawn_through = 0;  ///< Times that it went in, came out, left.
-    bool patch = false;                           ///< A patch is there.
+    bool needle = false, needle_held = false;  ///< A suture needle is there; in somebody's jaws.
+    std::array<bool, sim::kMaxTools> holds_needle{};  ///< In whose.
+    sim::Pose X_WN;                                   ///< Where it lies.
+    double needle_arc_m = 0;                          ///< Point to swage along its half circle.
+    int bites = 0, exits = 0, drawn_through = 0;      ///< Times that it went in, came out, left.
+    bool patch = false;                               ///< A patch is there.
     std::array<Vec3, 4> patch_corner_m{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
                                        Vec3::Zero()};  ///< Its corners, round it.
     sim::PracticeGoal practice;  ///< Steps of a practice task: what to do now, and where.

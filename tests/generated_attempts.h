@@ -220,6 +220,35 @@ class AttemptMaker {
         }
     }
 
+    static bool is_handling(const std::vector<sim::PracticeKind>& kinds) {
+        return std::count(kinds.begin(), kinds.end(), sim::PracticeKind::kNeedleLay) > 0;
+    }
+    /// The first `done` steps with a needle that goes from hand to hand: square, at its place.
+    static void hand_over(sim::Recording& recording, const std::vector<sim::PracticeKind>& kinds,
+                          int done) {
+        using sim::PracticeKind;
+        for (int s = 0; s < done; ++s) {
+            const double time_s = 2 + s;
+            switch (kinds[static_cast<size_t>(s)]) {
+                case PracticeKind::kNeedleTake:
+                    put(recording, EventKind::kNeedleTaken, time_s, 0.01, 0.6, 0.006, 0.001);
+                    put(recording, EventKind::kNeedleGrip, time_s, 1, 1, 0.006, 0.001);
+                    put(recording, EventKind::kNeedlePlaced, time_s, s, 0.01, 0.006, 0.001);
+                    break;
+                case PracticeKind::kRelease:
+                    put(recording, EventKind::kNeedleHandedOver, time_s, 0.01, 0.05, 0.006, 0.001)
+                        .element = 200;
+                    break;
+                case PracticeKind::kNeedleLay:
+                    put(recording, EventKind::kNeedleLaid, time_s, s, 0.001, 0.006, 0.001);
+                    put(recording, EventKind::kNeedleSwung, time_s, 2, 0, 0.006, 0.001);
+                    break;
+                default:
+                    break;
+            }
+        }
+    }
+
     static void practise(sim::Recording& recording, double share) {
         int steps = 0;
         for (const Event& e : recording.events)
@@ -232,11 +261,13 @@ class AttemptMaker {
         const auto& kinds = step_kinds()[recording.header.task_id];
         if (is_row(kinds)) {
             sew(recording, kinds, done);
+        } else if (is_handling(kinds)) {
+            hand_over(recording, kinds, done);
         } else if (done > 0) {
             put(recording, EventKind::kNeedleEntered, 2, 0.025, 0.8, 0.006, 0.001);
             put(recording, sim::EventKind::kBiteEntry, 2, 0, 0.0002, 0.006, 0.001);
         }
-        if (done > 1 && !is_row(kinds)) {
+        if (done > 1 && !is_row(kinds) && !is_handling(kinds)) {
             put(recording, EventKind::kNeedleLeft, 3, 0.025, 0.0012, 0.006, 0.003);
             put(recording, sim::EventKind::kBiteExit, 3, 1, 0.0002, 0.006, 0.003);
         }
@@ -439,7 +470,22 @@ class AttemptMaker {
     }
     /// The needle where it should not be, or as it should not go.
     void stitch(sim::Recording& r) {
-        switch (whole(0, 4)) {
+        switch (whole(0, 9)) {
+            case 5:
+                anywhere(r, EventKind::kNeedleGrip, 0.5, number(0, 0.9));
+                break;
+            case 6:
+                anywhere(r, EventKind::kNeedleDropped, 3, number(0, 0.02));
+                break;
+            case 7:
+                anywhere(r, EventKind::kNeedleHandedOver, 0, 0).element = 0;
+                break;
+            case 8:
+                anywhere(r, EventKind::kNeedleSwung, number(5, 30), 0);
+                break;
+            case 9:
+                anywhere(r, EventKind::kNeedlePlaced, 1, number(0.05, 0.15));
+                break;
             case 0:
                 anywhere(r, sim::EventKind::kBiteEntry, 0, 0.02);
                 break;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -681,6 +682,101 @@ TEST(Practice, RecordingsWithoutStepsHaveNoSuchMetrics) {
     std::vector<Metric> none;
     add_practice_metrics({}, none);
     EXPECT_TRUE(none.empty());
+}
+
+/// A needle between two drivers: taken by the right hand, shown, laid down.
+std::vector<PracticeStep> handling() {
+    PracticeStep take{.kind = PracticeKind::kNeedleTake, .hand = sim::Hand::kLeft};
+    take.take_share = 0.33;
+    PracticeStep show{.kind = PracticeKind::kNeedleShow, .hand = sim::Hand::kLeft};
+    show.tolerance_m = 0.002;
+    show.hold_s = 0.1;
+    PracticeStep lay{.kind = PracticeKind::kNeedleLay, .hand = sim::Hand::kLeft};
+    lay.tolerance_m = 0.004;
+    lay.hold_s = 0.1;
+    return {take, show, lay};
+}
+
+int told(const sim::Recording& recording, sim::EventKind kind) {
+    return static_cast<int>(std::count_if(recording.events.begin(), recording.events.end(),
+                                          [&](const sim::Event& e) { return e.kind == kind; }));
+}
+
+TEST(Practice, ANeedleIsTakenByTheHandThatIsAskedForAtItsPlace) {
+    Attempt attempt(handling());
+    attempt.needle.handled = true;
+    attempt.needle.taken = 1;
+    attempt.needle.held[0] = true;  // the other hand
+    attempt.needle.share[0] = 0.33;
+    attempt.see(5);
+    EXPECT_EQ(attempt.tracker().index(), 0);
+    attempt.needle.held[1] = true;
+    attempt.needle.share[1] = 0.6;  // beside its place
+    attempt.see(5);
+    EXPECT_EQ(attempt.tracker().index(), 0);
+    attempt.needle.share[1] = 0.4;
+    attempt.see();
+    EXPECT_EQ(attempt.tracker().index(), 1) << "while both hold it";
+    ASSERT_EQ(told(attempt.recording, sim::EventKind::kNeedlePlaced), 1);
+    for (const sim::Event& e : attempt.recording.events)
+        if (e.kind == sim::EventKind::kNeedlePlaced) {
+            EXPECT_NEAR(e.value2, 0.07F, 1e-6F);
+        }
+}
+
+TEST(Practice, ANeedleIsShownByTheHandAndLaidDownWhereItIsLetGo) {
+    Attempt attempt(handling());
+    attempt.needle.handled = true;
+    attempt.needle.held[1] = true;
+    attempt.needle.share[1] = 0.33;
+    attempt.needle.lowest_m = 0.01;
+    attempt.needle.point_m = Vec3(0.003, 0, 0);
+    attempt.see(20);
+    EXPECT_EQ(attempt.tracker().index(), 1) << "3 mm beside the mark";
+    attempt.needle.point_m = Vec3(0.001, 0, 0.001);
+    attempt.see(12);
+    EXPECT_EQ(attempt.tracker().index(), 2);
+    attempt.needle.middle_m = Vec3(0.003, 0, 0);
+    attempt.needle.lowest_m = 0.001;
+    attempt.see(20);
+    EXPECT_EQ(attempt.tracker().index(), 2) << "still in the jaws";
+    attempt.needle.held[1] = false;
+    attempt.see(12);
+    EXPECT_TRUE(attempt.tracker().done());
+    EXPECT_EQ(told(attempt.recording, sim::EventKind::kNeedleShown), 1);
+    EXPECT_EQ(told(attempt.recording, sim::EventKind::kNeedleLaid), 1);
+    EXPECT_EQ(told(attempt.recording, sim::EventKind::kNeedleDropped), 0);
+}
+
+TEST(Practice, ANeedleThatIsLetGoElsewhereOrFromHighIsDropped) {
+    Attempt attempt(handling());
+    attempt.needle.handled = true;
+    attempt.see(2);  // it lies there: nobody has dropped it
+    EXPECT_EQ(told(attempt.recording, sim::EventKind::kNeedleDropped), 0);
+    attempt.needle.held[0] = true;
+    attempt.see();
+    attempt.needle.held[1] = true;
+    attempt.needle.share[1] = 0.33;
+    attempt.see();
+    attempt.needle.held[0] = false;  // handed over
+    attempt.see();
+    EXPECT_EQ(told(attempt.recording, sim::EventKind::kNeedleDropped), 0);
+    attempt.needle.held[1] = false;
+    attempt.see(5);
+    EXPECT_EQ(told(attempt.recording, sim::EventKind::kNeedleDropped), 1);
+    attempt.needle.held[1] = true;
+    attempt.see(20);
+    EXPECT_EQ(attempt.tracker().index(), 2);
+    attempt.needle.lowest_m = 0.008;  // over its mark, but high above it
+    attempt.needle.held[1] = false;
+    attempt.see();
+    EXPECT_EQ(told(attempt.recording, sim::EventKind::kNeedleDropped), 2);
+    attempt.needle.held[1] = true;
+    attempt.see();
+    attempt.needle.in_tissue = true;  // left in the tissue it does not fall
+    attempt.needle.held[1] = false;
+    attempt.see();
+    EXPECT_EQ(told(attempt.recording, sim::EventKind::kNeedleDropped), 2);
 }
 
 }  // namespace THIS_TEST

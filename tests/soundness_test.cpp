@@ -62,7 +62,8 @@ TEST(Soundness, NothingHarmfulIsLessThanNone) {
     for (const EventKind kind :
          {EventKind::kTorn, EventKind::kPlacodeContact, EventKind::kOverForce, EventKind::kBuried,
           EventKind::kWatertight, EventKind::kThreadDrawn, EventKind::kStretchSum,
-          EventKind::kPatchFold, EventKind::kSlitPressed}) {
+          EventKind::kPatchFold, EventKind::kSlitPressed, EventKind::kNeedleHandedOver,
+          EventKind::kNeedleSwung}) {
         auto r = sound();
         r.events = {event(kind, 1e-9F, 1e-3F)};
         EXPECT_EQ(problem(r), "") << event_name(kind);

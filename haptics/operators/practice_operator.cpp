@@ -332,6 +332,8 @@ void PracticeOperator::do_step(double dt_s) noexcept {
             case PracticeKind::kNeedleTake:
             case PracticeKind::kNeedleThrough:
             case PracticeKind::kThreadDraw:
+            case PracticeKind::kNeedleShow:
+            case PracticeKind::kNeedleLay:
                 break;
             case PracticeKind::kWithdraw:
                 static_cast<void>(w.motion.glide(w.motion.home_m(), 0.02, dt_s));

@@ -21,13 +21,13 @@ enum class PracticeKind : uint8_t {
     kCut,       ///< Touch it and press the yellow pedal for `hold_s`.
     kCoag,      ///< And the blue one.
     kGrasp,     ///< Take hold of tissue at the target.
-    kRelease,   ///< Let it go.
+    kRelease,   ///< Let it go, or the needle.
     kTrace,     ///< Follow the planned line with the tip at the surface, without energy.
     kTraction,  ///< Both hands hold tissue and pull with `low_n` to `high_n` for `hold_s`.
     kWithdraw,  ///< Take the instrument `distance_m` away from the tissue.
     kNeedleIn,  ///< The needle's point goes in at the first mark; the second is where it comes out.
     kNeedleOut,      ///< It comes out at the second mark.
-    kNeedleTake,     ///< Jaws take it again.
+    kNeedleTake,     ///< Jaws take it again; with two drivers, those of this hand.
     kNeedleThrough,  ///< All of the needle is drawn through.
     kThreadDraw,     ///< The thread is drawn until a slit is shut between the marks.
     kPatchTake,      ///< Jaws take the patch.
@@ -35,9 +35,11 @@ enum class PracticeKind : uint8_t {
     kPatchSpread,    ///< Nobody holds it, it lies so, and flat, for `hold_s`.
     kWash,           ///< The jet has loosened all debris.
     kSuck,           ///< Nothing floats any more and the field is dry, for `hold_s`.
-    kUndermine       ///< Skin on the side away from the hand's port has come off the fascia.
+    kUndermine,      ///< Skin on the side away from the hand's port has come off the fascia.
+    kNeedleShow,     ///< This hand holds the needle with its point at the mark for `hold_s`.
+    kNeedleLay       ///< The needle lies at the mark, let go, for `hold_s`.
 };
-inline constexpr int kPracticeKinds = 22;
+inline constexpr int kPracticeKinds = 24;
 inline constexpr int kMaxPracticeSteps = 24;
 inline constexpr int kTraceBins = 72;  ///< Of the planned contour, by arc length.
 
@@ -104,6 +106,8 @@ struct PracticeGoal {
         case PracticeKind::kWash:
         case PracticeKind::kSuck:
         case PracticeKind::kUndermine:
+        case PracticeKind::kNeedleShow:
+        case PracticeKind::kNeedleLay:
             return 1;
         case PracticeKind::kTraction:
         case PracticeKind::kNeedleIn:

@@ -25,6 +25,8 @@ namespace {
     QT_TRANSLATE_NOOP("Attempt", "probe"),
     QT_TRANSLATE_NOOP("Attempt", "needle driver"),
     QT_TRANSLATE_NOOP("Attempt", "take the needle"),
+    QT_TRANSLATE_NOOP("Attempt", "hold the point here"),
+    QT_TRANSLATE_NOOP("Attempt", "lay the needle here"),
     QT_TRANSLATE_NOOP("Attempt", "draw the needle through"),
     QT_TRANSLATE_NOOP("Attempt", "draw the thread until the edges meet"),
     QT_TRANSLATE_NOOP("Attempt", "smooth out the folds"),

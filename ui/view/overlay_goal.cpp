@@ -125,7 +125,7 @@ void Overlay::take_mark(int tool) {
     const NeedleSnapshot& needle = snapshot_->needle;
     const PracticeStep& step = state_->practice.goal.step;
     Vec2 px;
-    if (needle.present == 0 || needle.driver >= 0) {
+    if (needle.present == 0 || needle.driver == tool) {
         const char* what = step.take_share > 0 ? "turn it on, then open the jaws" : "open the jaws";
         if (place_of(1000 * snapshot_->tools[static_cast<size_t>(tool)].pose.p, px))
             label(px + Vec2(0, 2.6 * unit_), say(what), kAccent);

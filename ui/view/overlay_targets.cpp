@@ -48,6 +48,8 @@ void Overlay::targets() {
                freed = goal.step.kind == PracticeKind::kUndermine;
     const bool needle =
         goal.step.kind == PracticeKind::kNeedleIn || goal.step.kind == PracticeKind::kNeedleOut;
+    const bool show = goal.step.kind == PracticeKind::kNeedleShow,
+               lay = goal.step.kind == PracticeKind::kNeedleLay;
     if (needle && goal.bites > 1 && goal.targets == 2 && snapshot_->slit == 0) suture_line();
     for (int t = 0; t < goal.targets; ++t) {
         const Vec3 mm = 1000 * goal.target_m[static_cast<size_t>(t)];
@@ -57,8 +59,8 @@ void Overlay::targets() {
         const Vec3 away =
             tool < 0 ? Vec3(Vec3::Zero())
                      : Vec3(1000 * snapshot_->tools[static_cast<size_t>(tool)].pose.p - mm);
-        const bool above = !state_->exam && !needle && !wash && !freed && tool >= 0 &&
-                           away.head<2>().norm() <= 1000 * goal.step.tolerance_m;
+        const bool above = !state_->exam && !needle && !show && !lay && !wash && !freed &&
+                           tool >= 0 && away.head<2>().norm() <= 1000 * goal.step.tolerance_m;
         double radius = 0.7 * unit_;
         if (place_of(mm + 1000 * goal.step.tolerance_m * camera_->right, side))
             radius = std::max(radius, (side - px).norm());
@@ -73,6 +75,9 @@ void Overlay::targets() {
         if (needle)
             label(px + Vec2(0, radius + 1.5 * unit_), say(t == 0 ? "needle in" : "needle out"),
                   kText);
+        else if (show || lay)
+            label(px + Vec2(0, radius + 1.5 * unit_),
+                  say(show ? "hold the point here" : "lay the needle here"), kText);
         else if (wash)
             label(px + Vec2(0, radius + 1.5 * unit_),
                   phrase(goal.step.kind == PracticeKind::kWash ? "washed off: %1" : "dry: %1",

@@ -65,6 +65,10 @@ Symbols with_mouse(PracticeKind kind, bool scope) {
             return {{Thing::kMouseLeft, Act::kRelease}, left, move};
         case PracticeKind::kUndermine:
             return {left, move, {Thing::kMouseWheel, Act::kOut}};
+        case PracticeKind::kNeedleShow:
+            return {left, move, down};
+        case PracticeKind::kNeedleLay:
+            return {move, down, {Thing::kMouseLeft, Act::kRelease}};
     }
     return {};
 }
@@ -122,6 +126,10 @@ Symbols with_keyboard(PracticeKind kind, bool scope) {
                 key("X", false, Act::kRelease), key("X"), key("W"), key("A"), key("S"), key("D")};
         case PracticeKind::kUndermine:
             return {key("X"), key("W"), key("R")};
+        case PracticeKind::kNeedleShow:
+            return {key("X"), key("W"), key("A"), key("S"), key("D"), key("F")};
+        case PracticeKind::kNeedleLay:
+            return {key("F"), key("X", false, Act::kRelease)};
     }
     return {};
 }
@@ -172,6 +180,10 @@ Symbols with_gamepad(PracticeKind kind) {
             return {key("A", false, Act::kRelease), key("A"), stick};
         case PracticeKind::kUndermine:
             return {key("A"), stick, key("LT")};
+        case PracticeKind::kNeedleShow:
+            return {key("A"), stick, key("RT")};
+        case PracticeKind::kNeedleLay:
+            return {stick, key("RT"), key("A", false, Act::kRelease)};
     }
     return {};
 }
@@ -231,6 +243,13 @@ Symbols with_grip(PracticeKind kind, Thing grip, HintSymbol close) {
         }
         case PracticeKind::kUndermine:
             return {close, move, {grip, Act::kOut}};
+        case PracticeKind::kNeedleShow:
+            return {close, move, in};
+        case PracticeKind::kNeedleLay: {
+            HintSymbol open = close;
+            open.act = Act::kRelease;
+            return {move, in, open};
+        }
     }
     return {};
 }

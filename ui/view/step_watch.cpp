@@ -60,6 +60,7 @@ StepAmount step_amount(const PracticeGoal& goal) {
         case PracticeKind::kCut:
         case PracticeKind::kCoag:
         case PracticeKind::kTraction:
+        case PracticeKind::kNeedleShow:
             if (step.hold_s <= 0) return {};
             return {share * step.hold_s, step.hold_s, 1, " s"};
         default:

@@ -2921,6 +2921,38 @@
         <translation>Ponowne chwyty igły</translation>
     </message>
     <message>
+        <source>Hand-overs of the needle</source>
+        <translation>Przekazania igły</translation>
+    </message>
+    <message>
+        <source>Needle let go between hands</source>
+        <translation>Igła puszczona między rękami</translation>
+    </message>
+    <message>
+        <source>Needle dropped</source>
+        <translation>Upuszczenia igły</translation>
+    </message>
+    <message>
+        <source>Needle held beside its place</source>
+        <translation>Igła chwycona obok miejsca</translation>
+    </message>
+    <message>
+        <source>Needle askew in the jaws</source>
+        <translation>Igła skośnie w szczękach</translation>
+    </message>
+    <message>
+        <source>Turning of the needle</source>
+        <translation>Obracanie igły</translation>
+    </message>
+    <message>
+        <source>Turn at a hand-over</source>
+        <translation>Obrót przy przekazaniu</translation>
+    </message>
+    <message>
+        <source>Force at a hand-over</source>
+        <translation>Siła przy przekazaniu</translation>
+    </message>
+    <message>
         <source>Slips of the needle</source>
         <translation>Ześlizgi igły</translation>
     </message>
@@ -3965,6 +3997,38 @@
     <message>
         <source>Times that jaws took the needle after the first.</source>
         <translation>Ile razy szczęki chwyciły igłę po pierwszym chwycie.</translation>
+    </message>
+    <message>
+        <source>Times that the needle went to the other driver while both held it.</source>
+        <translation>Ile razy igła przeszła do drugiego imadła, gdy trzymały ją oba.</translation>
+    </message>
+    <message>
+        <source>Times that the other driver took the needle after it had been let go.</source>
+        <translation>Ile razy drugie imadło chwyciło igłę dopiero po jej puszczeniu.</translation>
+    </message>
+    <message>
+        <source>Times that the needle was let go in the open, and not to lie at its mark.</source>
+        <translation>Ile razy igłę puszczono poza tkanką, i nie po to, by leżała przy znaku.</translation>
+    </message>
+    <message>
+        <source>Largest distance between where jaws took the needle and where the step wanted it, as a share of its arc.</source>
+        <translation>Największa odległość miejsca, w którym szczęki chwyciły igłę, od wymaganego w kroku, jako część łuku.</translation>
+    </message>
+    <message>
+        <source>Largest angle between the wire and what is square to the driver, when jaws took it.</source>
+        <translation>Największy kąt między drutem a prostopadłą do imadła w chwili chwytu.</translation>
+    </message>
+    <message>
+        <source>How far the needle was turned in hands, in all, in steps of 2 degrees.</source>
+        <translation>O ile łącznie obrócono igłę w rękach, w krokach po 2 stopnie.</translation>
+    </message>
+    <message>
+        <source>Largest angle by which the needle turned while both drivers held it.</source>
+        <translation>Największy kąt, o jaki obróciła się igła, gdy trzymały ją oba imadła.</translation>
+    </message>
+    <message>
+        <source>Largest force between the drivers through the needle while both held it.</source>
+        <translation>Największa siła między imadłami przez igłę, gdy trzymały ją oba.</translation>
     </message>
     <message>
         <source>Share of the placode's edge beyond which the patch reaches 5 mm or more, hands off.</source>
@@ -13749,6 +13813,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>chwyć igłę</translation>
     </message>
     <message>
+        <source>hold the point here</source>
+        <translation>trzymaj tu ostrze</translation>
+    </message>
+    <message>
+        <source>lay the needle here</source>
+        <translation>odłóż tu igłę</translation>
+    </message>
+    <message>
         <source>draw the needle through</source>
         <translation>przeciągnij igłę</translation>
     </message>
@@ -14790,6 +14862,46 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Go on turning with Shift and the mouse until the point comes out.</source>
         <translation>Obracaj dalej z Shift i myszą, aż ostrze wyjdzie.</translation>
+    </message>
+    <message>
+        <source>Keep the needle held; mouse and wheel bring its point to the ring, Shift and mouse turn it.</source>
+        <translation>Nie puszczaj igły; mysz i kółko prowadzą jej ostrze do pierścienia, Shift i mysz ją obracają.</translation>
+    </message>
+    <message>
+        <source>Keep the needle held; W A S D, F and R bring its point to the ring, Q and E turn it.</source>
+        <translation>Nie puszczaj igły; W A S D, F i R prowadzą jej ostrze do pierścienia, Q i E ją obracają.</translation>
+    </message>
+    <message>
+        <source>Keep the needle held; left stick and triggers bring its point to the ring, the right stick turns it.</source>
+        <translation>Nie puszczaj igły; lewy drążek i spusty prowadzą jej ostrze do pierścienia, prawy drążek ją obraca.</translation>
+    </message>
+    <message>
+        <source>Keep the needle held; push the cap until its point is at the ring, twist to turn it.</source>
+        <translation>Nie puszczaj igły; popychaj gałkę, aż ostrze będzie przy pierścieniu, skręć, by ją obrócić.</translation>
+    </message>
+    <message>
+        <source>Keep it closed; bring the needle's point to the ring, turn the handle about its axis.</source>
+        <translation>Trzymaj zamknięte; doprowadź ostrze igły do pierścienia, obracaj uchwyt wokół osi.</translation>
+    </message>
+    <message>
+        <source>Lower the needle over the ring with the wheel until it lies there, then let go of the left button.</source>
+        <translation>Opuść igłę kółkiem nad pierścieniem, aż tam legnie, potem puść lewy przycisk.</translation>
+    </message>
+    <message>
+        <source>Lower the needle over the ring with F until it lies there, then let go of X.</source>
+        <translation>Opuść igłę nad pierścieniem klawiszem F, aż tam legnie, potem puść X.</translation>
+    </message>
+    <message>
+        <source>Lower the needle over the ring with the right trigger until it lies there, then let go of A.</source>
+        <translation>Opuść igłę nad pierścieniem prawym spustem, aż tam legnie, potem puść A.</translation>
+    </message>
+    <message>
+        <source>Push the cap until the needle lies at the ring, then let go of the left button.</source>
+        <translation>Popchnij gałkę, aż igła legnie przy pierścieniu, potem puść lewy przycisk.</translation>
+    </message>
+    <message>
+        <source>Lower the needle until it lies at the ring, then open the handle.</source>
+        <translation>Opuść igłę, aż legnie przy pierścieniu, potem otwórz uchwyt.</translation>
     </message>
     <message>
         <source>Go on turning with Q or E until the point comes out.</source>
