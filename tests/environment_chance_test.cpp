@@ -22,9 +22,9 @@ namespace placode::environment {
 namespace THIS_TEST {
 
 constexpr const char* kTasks[] = {
-    "touch_targets",       "trace_contour",        "grasp_and_lift",
-    "two_handed_traction", "diathermy_ring_small", "scissors_resection",
-    "suture_bite",         "suture_run",           "sb_dissection",
+    "touch_targets",        "trace_contour",      "grasp_and_lift",  "two_handed_traction",
+    "diathermy_ring_small", "scissors_resection", "needle_handover", "suture_bite",
+    "suture_run",           "sb_dissection",
 };
 
 /// What this program holds in memory now [MiB].
@@ -112,7 +112,9 @@ class EveryTask : public testing::TestWithParam<const char*> {};
 
 TEST_P(EveryTask, SurvivesActionsByChance) {
     EnvironmentOptions options = test::coarse();
-    if (std::string_view(GetParam()).starts_with("suture")) options.scene_changes_json = kCoarsePad;
+    const std::string_view task = GetParam();
+    if (task.starts_with("suture") || task.starts_with("needle"))
+        options.scene_changes_json = kCoarsePad;
     options.speed_m_s = kSpeedM_S;
     options.start_spread_m = 0.004;
     Environment environment(std::make_shared<FieldCache>(), GetParam(), options);

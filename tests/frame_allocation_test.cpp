@@ -21,21 +21,14 @@ struct Case {
     double end_s;  ///< Until the instrument is at work; PLACODE_LONG_TESTS takes whole attempts.
 };
 constexpr Case kCases[]{
-    {"familiarisation", 12},
-    {"touch_targets", 6},
-    {"trace_contour", 6},
-    {"grasp_and_lift", 8},
-    {"two_handed_traction", 8},
-    {"diathermy_ring_small", 5},
-    {"diathermy_ring", 5},
-    {"scissors_resection", 9},
-    {"sb_dissection", 5},
-    {"sb_dissection_cystic", 5},
-    {"suture_bite", 6},
-    {"suture_run", 6},
-    {"suture_slit", 6},
-    {"patch_place", 8},
-    {"irrigate", 8},
+    {"familiarisation", 12},    {"touch_targets", 6},
+    {"trace_contour", 6},       {"grasp_and_lift", 8},
+    {"two_handed_traction", 8}, {"diathermy_ring_small", 5},
+    {"diathermy_ring", 5},      {"scissors_resection", 9},
+    {"sb_dissection", 5},       {"sb_dissection_cystic", 5},
+    {"needle_handover", 12},    {"suture_bite", 6},
+    {"suture_run", 6},          {"suture_slit", 6},
+    {"patch_place", 8},         {"irrigate", 8},
     {"undermine", 8},
 };
 
@@ -57,6 +50,7 @@ TEST_P(FrameAllocation, AFrameAllocatesAndLocksNothing) {
             << "frame " << state.frame << ", " << state.time_s << " s";
         for (const sim::ToolState& tool : state.tools) contact |= tool.in_contact != 0;
         contact |= state.suturing.entered > 0;         // the needle, not its driver
+        contact |= state.suturing.handover.last >= 0;  // likewise, in the open
         contact |= state.irrigation.loaded_count > 0;  // the jet, not its nozzle
     }
     ASSERT_GT(state.frame, 1000);

@@ -50,6 +50,18 @@ TEST(MousePerson, TakesABite) {
     EXPECT_EQ(score.verdict, assessment::Verdict::kPassed) << score.points;
 }
 
+// One mouse for two drivers: Tab leaves the jaws closed on the needle, a click opens them.
+TEST(MousePerson, HandsANeedleOver) {
+    const Task task = load_task("needle_handover");
+    const sim::Recording recording = test::scripted_attempt(task, "mouse");
+    const assessment::MetricSet metrics = assessment::compute_metrics(recording);
+    const assessment::Score score = assessment::score_attempt(task.rubric, metrics, recording);
+    EXPECT_EQ(metrics.find("steps_done_percent").value_or(-1), 100);
+    EXPECT_EQ(metrics.find("needle_handovers").value_or(-1), 2);
+    EXPECT_EQ(metrics.find("needle_drops").value_or(-1), 0);
+    EXPECT_EQ(score.verdict, assessment::Verdict::kPassed) << score.points;
+}
+
 TEST(MousePerson, SewsARow) {
     const Task task = test::coarse_suture_run();
     const sim::Recording recording = test::scripted_attempt(task, "mouse");

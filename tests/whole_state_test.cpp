@@ -39,7 +39,7 @@ std::vector<Case> cases() {
     for (const char* task :
          {"touch_targets", "grasp_and_lift", "diathermy_ring_small", "diathermy_ring",
           "scissors_resection", "sb_dissection", "sb_dissection_cystic", "suture_run",
-          "suture_slit", "patch_place", "irrigate", "undermine"})
+          "suture_slit", "patch_place", "irrigate", "undermine", "needle_handover"})
         all.push_back({task, 6, 16});
     // The operator has finished these 12 to 16 s after the begin.
     for (const char* task :
@@ -57,7 +57,8 @@ struct Course {
         attempt.step_to(static_cast<int64_t>(1000 * what.begin_s));
         saved = sim::save_state(attempt.scene(), state);
         saved_hash = sim::whole_hash(state);
-        at_work = state.removed_m3 > 0 || state.splits > 0 || state.suturing.entered > 0;
+        at_work = state.removed_m3 > 0 || state.splits > 0 || state.suturing.entered > 0 ||
+                  state.suturing.handover.last >= 0;
         begin = state.frame;
         while (!attempt.over()) {
             attempt.step();

@@ -187,7 +187,11 @@ class MousePersonDevice final : public DeviceGroup {
         move(hand, t_ns);
         if (hand != active_) return;
         const Want& w = wants_[hand];
-        if (w.jaws) {
+        if (w.jaws && latched_[hand]) {
+            // A click opens jaws that were left closed.
+            input_.left = true;
+            latched_[hand] = false;
+        } else if (w.jaws) {
             input_.left = w.closed;
             closed_[hand] = w.closed;
         } else {
@@ -203,6 +207,8 @@ class MousePersonDevice final : public DeviceGroup {
         press(sim::Key::kControl, false);
         if (input_.down[static_cast<size_t>(sim::Key::kTab)]) return;
         press(sim::Key::kTab, true);
+        // Other jaws wait for what the plan does with them next.
+        latched_[active_] = wants_[active_].begins_closed && closed_[active_];
         input_.left = input_.right = false;
         do active_ = (active_ + 1) % count_;
         while (wants_[active_].scope);
@@ -261,7 +267,7 @@ class MousePersonDevice final : public DeviceGroup {
     std::vector<HandAction> hands_;
     std::vector<Want> wants_;
     std::vector<DeviceState> states_;
-    std::array<bool, sim::kMaxTools> closed_{}, came_in_{}, carried_{}, swung_{};
+    std::array<bool, sim::kMaxTools> closed_{}, came_in_{}, carried_{}, swung_{}, latched_{};
     std::array<Vec3, sim::kMaxTools> aim_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
     OperatorRandom random_;
     sim::Latest<sim::WindowInput> window_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/operators/handover_operator.h"
 #include "haptics/operators/irrigate_operator.h"
 #include "haptics/operators/lift_operator.h"
 #include "haptics/operators/operator_model.h"
@@ -55,10 +56,15 @@ std::unique_ptr<ScriptedOperator> open_operator(const DeviceConfig& config, Oper
     }
     if (tools.needle >= 0) first = tools.needle;
     const auto hand = static_cast<size_t>(std::max(first, 0));
+    std::vector<size_t> drivers;
     for (size_t i = 0; i < config.tools.size(); ++i)
-        if (config.tools[i].kind == sim::ToolKind::kNeedleDriver)
-            return std::make_unique<SutureOperator>(level, config.seed, i, config.tools[i],
-                                                    homes_m[i]);
+        if (config.tools[i].kind == sim::ToolKind::kNeedleDriver) drivers.push_back(i);
+    if (drivers.size() == 2)
+        return std::make_unique<HandoverOperator>(
+            level, config.seed, std::array{drivers[0], drivers[1]}, config.tools, homes_m);
+    if (!drivers.empty())
+        return std::make_unique<SutureOperator>(level, config.seed, drivers[0],
+                                                config.tools[drivers[0]], homes_m[drivers[0]]);
     for (size_t i = 0; i < config.tools.size(); ++i)
         if (config.tools[i].kind == sim::ToolKind::kIrrigator)
             return std::make_unique<IrrigateOperator>(level, config.seed, i, config.tools[i],

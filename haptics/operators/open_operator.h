@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Which scripted operator a set of instruments asks for: a needle makes the ring, a grasper lifts,
-// a needle driver sutures, grasper and scissors resect, all three do the whole dissection; a task
-// with steps has its own, and one that lays a patch.
+// a needle driver sutures, two of them hand the needle over, grasper and scissors resect, all three
+// do the whole dissection; a task with steps has its own, and one that lays a patch.
 
 #include <memory>
 #include <span>

@@ -14,6 +14,7 @@ TASKS = {
     "Placode/Traction-v0": "two_handed_traction",
     "Placode/Ring-v0": "diathermy_ring_small",
     "Placode/Resection-v0": "scissors_resection",
+    "Placode/Handover-v0": "needle_handover",
     "Placode/Bite-v0": "suture_bite",
     "Placode/RunningSuture-v0": "suture_run",
     "Placode/Dissection-v0": "sb_dissection",

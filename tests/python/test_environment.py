@@ -29,7 +29,8 @@ def tiny(task="Placode/Reach-v0", **options):
     options.setdefault("lesions", 1)
     options.setdefault("fields", KEPT)
     # The suture pad is small: triangles of 1.4 mm do not fit into it.
-    scene = placode.COARSE if task in ("Placode/Bite-v0", "Placode/RunningSuture-v0") else TINY
+    scene = placode.COARSE if task in (
+        "Placode/Handover-v0", "Placode/Bite-v0", "Placode/RunningSuture-v0") else TINY
     return placode.make(task, scene=scene, **options)
 
 

@@ -27,9 +27,9 @@ struct EnvironmentOptions {
 
 /// The tasks that come as environments (placode.tasks of the Python package).
 constexpr const char* kTasks[] = {
-    "touch_targets",       "trace_contour",        "grasp_and_lift",
-    "two_handed_traction", "diathermy_ring_small", "scissors_resection",
-    "suture_bite",         "suture_run",           "sb_dissection"};
+    "touch_targets",        "trace_contour",      "grasp_and_lift",  "two_handed_traction",
+    "diathermy_ring_small", "scissors_resection", "needle_handover", "suture_bite",
+    "suture_run",           "sb_dissection"};
 
 /// As placode.COARSE and COARSEST of the Python package.
 constexpr const char* kCoarse =
