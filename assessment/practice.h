@@ -21,7 +21,8 @@ struct NeedleSight {
     bool in_tissue = false;  ///< Some of it; it may have left the first wall of a slit already.
     double held_share = 0;   ///< Where the jaws took it last, along its arc from the point.
     sim::Vec3 entry_m = sim::Vec3::Zero(), exit_m = sim::Vec3::Zero();  ///< The last, at rest.
-    /// It went into a wall of a slit, or came out of one: half of a bite.
+    /// It went into a wall of a slit or the underside of freed skin, or came out there: half of a
+    /// bite.
     bool entry_in_slit = false, exit_in_slit = false;
     /// Two drivers: it goes from hand to hand, and every take is one of a certain hand.
     bool handled = false;

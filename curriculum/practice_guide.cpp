@@ -201,8 +201,12 @@ void PracticeGuide::look_at_needle(const sim::State& state,
         needle.entry_m[k] = static_cast<double>(s.entry_m[static_cast<size_t>(k)]);
         needle.exit_m[k] = static_cast<double>(s.exit_m[static_cast<size_t>(k)]);
     }
-    needle.entry_in_slit = s.entered > 0 && sim::in_slit(*scene_, needle.entry_m.head<2>());
-    needle.exit_in_slit = s.left > 0 && sim::in_slit(*scene_, needle.exit_m.head<2>());
+    // Through a wall, or through the underside of skin that was freed.
+    const auto half_way = [&](const Vec3& place) {
+        return sim::in_slit(*scene_, place.head<2>()) || sim::below_skin(*scene_, place);
+    };
+    needle.entry_in_slit = s.entered > 0 && half_way(needle.entry_m);
+    needle.exit_in_slit = s.left > 0 && half_way(needle.exit_m);
     needle.mark_m = mark_m_[static_cast<size_t>(goal_.index)];
 }
 

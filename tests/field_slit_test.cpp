@@ -15,6 +15,7 @@
 #include "sim/step/step.h"
 #include "sim/world/state.h"
 #include "tests/slit_pad.h"
+#include "tests/undermine_pad.h"
 
 namespace placode::sim {
 namespace THIS_TEST {
@@ -205,6 +206,36 @@ TEST(FieldSlit, APlaceLiesInTheSlitOrBesideIt) {
     }
     EXPECT_FALSE(in_slit(*scene, Vec2(0.009, 0.0075))) << "beyond its tip";
     EXPECT_FALSE(in_slit(*scene, Vec2(0.00565, 0.004))) << "at a mark of the task";
+}
+
+TEST(FieldSlit, BetweenTwoStationsAWallRunsStraight) {
+    const std::shared_ptr<const Scene> wide = build_operative_field(test::undermine_pad());
+    const auto at = [&](int32_t v) -> Vec2 {
+        return wide->body.mesh().rest[static_cast<size_t>(v)].head<2>();
+    };
+    const std::vector<Slit::Station>& stations = wide->slit.stations;
+    for (size_t i = 0; i + 1 < stations.size(); ++i) {
+        const Slit::Station &a = stations[i], &b = stations[i + 1];
+        for (const double share : {0.0, 0.3, 0.7, 1.0}) {
+            const Vec2 left = at(a.left[0]) + share * (at(b.left[0]) - at(a.left[0])),
+                       right = at(a.right[0]) + share * (at(b.right[0]) - at(a.right[0]));
+            const Vec2 out = (left - right).normalized() * 0.0003;
+            for (const Vec2& wall : {left, right})
+                EXPECT_TRUE(in_slit(*wide, wall)) << i << " and " << share;
+            EXPECT_FALSE(in_slit(*wide, left + out)) << i << " and " << share;
+            EXPECT_FALSE(in_slit(*wide, right - out)) << i << " and " << share;
+        }
+    }
+}
+
+TEST(FieldSlit, APlaceLiesOnTheUndersideOfSkinThatCanBeUndermined) {
+    const std::shared_ptr<const Scene> wide = build_operative_field(test::undermine_pad());
+    const double floor_m = -depth_at_rest(*wide, 5, 3);
+    EXPECT_TRUE(below_skin(*wide, Vec3(0.0105, 0.004, floor_m)));
+    EXPECT_TRUE(below_skin(*wide, Vec3(0.0105, -0.004, 0.6 * floor_m)));
+    EXPECT_FALSE(below_skin(*wide, Vec3(0.0105, 0.004, 0.4 * floor_m)));
+    EXPECT_FALSE(below_skin(*wide, Vec3(0.0105, 0.004, 0)));
+    EXPECT_FALSE(below_skin(*pad_scene(), Vec3(0.009, 0.002, -0.0015))) << "nothing parts there";
 }
 
 /// The left wall is moved across the slit and on, as no thread could: the right one gives way.

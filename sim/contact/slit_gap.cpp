@@ -29,7 +29,13 @@ Vec3 rest_of(const Scene& scene, int32_t v) noexcept {
     return scene.body.mesh().rest[static_cast<size_t>(v)];
 }
 
-[[maybe_unused]] bool is_station(const Scene& scene, int station) noexcept {
+/// From the middle of a station to its right wall at the surface, in the plane at rest [m].
+Vec2 half_way_across(const Scene& scene, int station) noexcept {
+    const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
+    return 0.5 * (rest_of(scene, s.right[0]) - rest_of(scene, s.left[0])).head<2>();
+}
+
+bool is_station(const Scene& scene, int station) noexcept {
     return 0 <= station && station < static_cast<int>(scene.slit.stations.size());
 }
 
@@ -150,14 +156,27 @@ int nearest_station(const Scene& scene, const Vec2& place) noexcept {
 bool in_slit(const Scene& scene, const Vec2& place) noexcept {
     const int nearest = nearest_station(scene, place);
     if (nearest < 0) return false;
-    const Slit::Station& s = scene.slit.stations[static_cast<size_t>(nearest)];
-    const Vec2 left = rest_of(scene, s.left[0]).head<2>(),
-               right = rest_of(scene, s.right[0]).head<2>();
-    // Between two stations the walls stand a little farther apart than at the narrower one.
-    const double most = 0.5 * (right - left).norm() + kBesideWallM;
-    const Vec2 from_middle = place - 0.5 * (left + right), across = (right - left).normalized();
+    const Vec2 way = half_way_across(scene, nearest), across = way.normalized();
+    const Vec2 from_middle = place - middle_at_rest(scene, nearest).head<2>();
     const double along = Vec2(-across.y(), across.x()).dot(from_middle);
+    double half = way.norm();
+    const int next = nearest + (along > 0 ? 1 : -1);
+    // Walls run straight from one station to the next.
+    if (is_station(scene, next)) {
+        const double apart =
+            (middle_at_rest(scene, next) - middle_at_rest(scene, nearest)).head<2>().norm();
+        half +=
+            std::min(1.0, std::abs(along) / apart) * (half_way_across(scene, next).norm() - half);
+    }
+    const double most = half + kBesideWallM;
     return std::abs(across.dot(from_middle)) <= most && std::abs(along) <= most + kStationM;
+}
+
+bool below_skin(const Scene& scene, const Vec3& place) noexcept {
+    const int nearest = scene.plane.present() ? nearest_station(scene, place.head<2>()) : -1;
+    if (nearest < 0) return false;
+    const double depth = middle_at_rest(scene, nearest).z() - place.z();
+    return depth > 0.5 * depth_at_rest(scene, nearest, scene.slit.layers);
 }
 
 std::vector<Event> slit_events(const Scene& scene, const State& state) {

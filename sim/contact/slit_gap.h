@@ -44,6 +44,10 @@ struct State;
 /// Whether a place in the plane at rest [m] lies in the slit or on its walls.
 [[nodiscard]] bool in_slit(const Scene& scene, const Vec2& place) noexcept;
 
+/// Whether a place at rest [m] lies on the underside of skin that can be undermined, nearer to the
+/// slit's floor than to the surface. False in a scene without a plane.
+[[nodiscard]] bool below_skin(const Scene& scene, const Vec3& place) noexcept;
+
 /// kSlitGap of the walls as they stand, without its time; nothing without a slit. Where tissue of a
 /// wall is gone the slit counts as open as it was at rest. Allocates.
 [[nodiscard]] std::vector<Event> slit_events(const Scene& scene, const State& state);
