@@ -62,7 +62,7 @@ check_build() {
   grep 'tests passed' "$log"
 }
 # Whole attempts of scripted operators take too long here, and other tests take the same paths.
-slow='operator_levels_test|lift_operator_test|practice_operator_test|mouse_person_device_test|whole_state_test|frame_allocation_test|suture_run_test|suture_slit_test'
+slow='operator_levels_test|lift_operator_test|practice_operator_test|mouse_person_device_test|whole_state_test|frame_allocation_test|suture_run_test|suture_slit_test|wound_closure_test'
 
 case "${1:-}" in
   format) check_format ;;

@@ -29,7 +29,7 @@ constexpr Case kCases[]{
     {"needle_handover", 12},    {"suture_bite", 6},
     {"suture_run", 6},          {"suture_slit", 6},
     {"patch_place", 8},         {"irrigate", 8},
-    {"undermine", 8},
+    {"undermine", 8},           {"wound_closure", 8},
 };
 
 class FrameAllocation : public testing::TestWithParam<Case> {};

@@ -215,7 +215,7 @@ class AttemptMaker {
             } else if (kind == PracticeKind::kNeedleThrough) {
                 put(recording, EventKind::kNeedleThrough, time_s, 0, 0, kRowX, y);
             } else if (kind == PracticeKind::kThreadDraw) {
-                put(recording, EventKind::kThreadDrawn, time_s, s, 0.15, kRowX, y);
+                put(recording, EventKind::kThreadDrawn, time_s, s, 0.2, kRowX, y);
             }
         }
     }

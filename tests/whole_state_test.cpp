@@ -36,10 +36,10 @@ std::vector<Case> cases() {
                 {"scissors_resection", 16, 16.5, true},
                 {"suture_slit", 7, 7.2, true}};
     std::vector<Case> all;
-    for (const char* task :
-         {"touch_targets", "grasp_and_lift", "diathermy_ring_small", "diathermy_ring",
-          "scissors_resection", "sb_dissection", "sb_dissection_cystic", "suture_run",
-          "suture_slit", "patch_place", "irrigate", "undermine", "needle_handover"})
+    for (const char* task : {"touch_targets", "grasp_and_lift", "diathermy_ring_small",
+                             "diathermy_ring", "scissors_resection", "sb_dissection",
+                             "sb_dissection_cystic", "suture_run", "suture_slit", "patch_place",
+                             "irrigate", "undermine", "needle_handover", "wound_closure"})
         all.push_back({task, 6, 16});
     // The operator has finished these 12 to 16 s after the begin.
     for (const char* task :

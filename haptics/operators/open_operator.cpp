@@ -15,6 +15,7 @@
 #include "haptics/operators/resection_operator.h"
 #include "haptics/operators/suture_operator.h"
 #include "haptics/operators/undermine_operator.h"
+#include "haptics/operators/wound_operator.h"
 
 namespace placode::haptics {
 
@@ -56,12 +57,18 @@ std::unique_ptr<ScriptedOperator> open_operator(const DeviceConfig& config, Oper
     }
     if (tools.needle >= 0) first = tools.needle;
     const auto hand = static_cast<size_t>(std::max(first, 0));
-    std::vector<size_t> drivers;
-    for (size_t i = 0; i < config.tools.size(); ++i)
+    std::vector<size_t> drivers, spreading;
+    for (size_t i = 0; i < config.tools.size(); ++i) {
         if (config.tools[i].kind == sim::ToolKind::kNeedleDriver) drivers.push_back(i);
+        if (config.tools[i].jaws_spread) spreading.push_back(i);
+    }
     if (drivers.size() == 2)
         return std::make_unique<HandoverOperator>(
             level, config.seed, std::array{drivers[0], drivers[1]}, config.tools, homes_m);
+    if (!drivers.empty() && spreading.size() == 2)
+        return std::make_unique<WoundOperator>(level, config.seed,
+                                               WoundTools{{spreading[0], spreading[1]}, drivers[0]},
+                                               config.tools, homes_m);
     if (!drivers.empty())
         return std::make_unique<SutureOperator>(level, config.seed, drivers[0],
                                                 config.tools[drivers[0]], homes_m[drivers[0]]);
@@ -73,9 +80,6 @@ std::unique_ptr<ScriptedOperator> open_operator(const DeviceConfig& config, Oper
         const auto grasper = static_cast<size_t>(tools.grasper);
         return std::make_unique<PatchOperator>(level, config.seed, grasper, homes_m[grasper]);
     }
-    std::vector<size_t> spreading;
-    for (size_t i = 0; i < config.tools.size(); ++i)
-        if (config.tools[i].jaws_spread) spreading.push_back(i);
     if (spreading.size() == 2)
         return std::make_unique<UndermineOperator>(
             level, config.seed, std::array{spreading[0], spreading[1]}, config.tools, homes_m);

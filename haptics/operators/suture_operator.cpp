@@ -15,18 +15,18 @@ constexpr double kOverMarkM = 0.008;    // of the circle's centre over where it 
 constexpr double kBeforeM = 0.0025;     // of the point, before it meets the tissue
 constexpr double kClearM = 0.007;       // back along the shaft, off the wire
 constexpr double kTakeM = 0.0013;       // behind the point, where it is taken again
-constexpr double kTailM = 0.0025;       // left in the tissue, so that this holds the needle
-constexpr double kToBiteShare = 0.72;   // of the arc: where it is held at the start
+constexpr double kPastM = 0.0025;       // of its end past its exit: it was torn out
 constexpr double kFalseM = 0.002;       // way in, before a false start is drawn back
 constexpr double kHeldShare = 1.0 / 3;  // of the jaws behind their tips
 constexpr double kOpenRad = 0.5, kJawRadS = 1.5, kPatienceS = 20;
-constexpr double kStrainS = 0.5;    // without getting on, before it lets go
-constexpr double kAskewM = 1e-3;    // between the jaws and where they would be on the circle
-constexpr int kMostMisses = 4;      // of the jaws, before it gives up
-constexpr int kMostRetries = 2;     // of a bite that does not come out
-constexpr double kDrawM_s = 0.015;  // of slack thread
-constexpr double kTautN = 0.02;     // from here on the thread pulls
-constexpr double kContentS = 0.4;   // of a pull, before it eases off
+constexpr double kStrainS = 0.5;      // without getting on, before it lets go
+constexpr double kAskewM = 1e-3;      // between the jaws and where they would be on the circle
+constexpr double kMostAskewM = 2e-3;  // where edges slide
+constexpr int kMostMisses = 4;        // of the jaws, before it gives up
+constexpr int kMostRetries = 2;       // of a bite that does not come out
+constexpr double kDrawM_s = 0.015;    // of slack thread
+constexpr double kTautN = 0.02;       // from here on the thread pulls
+constexpr double kContentS = 0.4;     // of a pull, before it eases off
 
 }  // namespace
 
@@ -39,12 +39,16 @@ const SutureHabits& suture_habits(OperatorLevel level) noexcept {
 
 SutureOperator::SutureOperator(OperatorLevel level, uint64_t seed, size_t tool,
                                const sim::ToolSpec& spec, const Vec3& home_m)
-    : habits_(suture_habits(level)),
+    : SutureOperator(level, suture_habits(level), seed, tool, spec, home_m) {}
+
+SutureOperator::SutureOperator(OperatorLevel level, const SutureHabits& habits, uint64_t seed,
+                               size_t tool, const sim::ToolSpec& spec, const Vec3& home_m)
+    : habits_(habits),
       profile_(operator_profile(level)),
       hand_(profile_, seed, home_m),
       tool_(tool),
       spec_(spec),
-      held_rad_(kPi * kToBiteShare),
+      held_rad_(kPi * habits.held_share),
       take_m_(kTakeM) {}
 
 void SutureOperator::see(const Perception& seen) { seen_ = seen; }
@@ -75,12 +79,14 @@ SutureOperator::Plane SutureOperator::plane() const noexcept {
 void SutureOperator::plan() noexcept {
     const Vec3 in = seen_.practice.target_m[0], out = seen_.practice.target_m[1];
     radius_m_ = seen_.needle_arc_m / kPi;
+    in_mark_m_ = in;
     out_mark_m_ = out;
     const double half = std::min(0.5 * (out - in).norm(), 0.95 * radius_m_);
     const Plane p = plane();
     centre_ = 0.5 * (in + out) + std::sqrt(radius_m_ * radius_m_ - half * half) * p.up;
     for (int k = 0; k < 3; ++k) centre_[k] += habits_.aim_error_m * hand_.random().normal();
     entry_rad_ = kPi + std::acos(half / radius_m_);
+    if (habits_.edges_slide) tilt(p, in);
     point_rad_ = entry_rad_ - kBeforeM / radius_m_;
 }
 
@@ -102,6 +108,7 @@ Vec3 SutureOperator::hold_at(const Plane& p, const Vec3& centre, double angle) n
 }
 
 void SutureOperator::drive(const Plane& p, double dt_s) noexcept {
+    if (habits_.edges_slide && !follow_edges(p, dt_s)) return;
     const double path = habits_.speed_m_s * dt_s;
     // Straight ahead, as the point goes, instead of round.
     const Vec3 ahead = -std::sin(point_rad_) * p.right + std::cos(point_rad_) * p.up;
@@ -112,6 +119,11 @@ void SutureOperator::drive(const Plane& p, double dt_s) noexcept {
                        point_rad_ > entry_rad_ + kFalseM / radius_m_;
     if (wrong) {
         ++starts_;
+        stage(Stage::kDrawBack);
+        return;
+    }
+    if (slid_off() && retries_ < kMostRetries) {
+        ++retries_;
         stage(Stage::kDrawBack);
         return;
     }
@@ -127,7 +139,7 @@ void SutureOperator::drive(const Plane& p, double dt_s) noexcept {
         ++retries_;
         stage(Stage::kDrawBack);
     } else if (out || low) {
-        stage(Stage::kOpen);
+        loosen();
     }
 }
 
@@ -167,7 +179,10 @@ void SutureOperator::close(const Plane& p, double dt_s) noexcept {
     const double behind = angle_of(seen_.X_WN.q * Vec3::UnitX()) - grip_rad_;
     if (take_m_ > kTakeM) held_rad_ = std::remainder(behind, 2 * kPi);
     // Who took it askew cannot turn it on its circle.
-    const bool askew = (jaws_at(p, centre_, grip_rad_) - hand_.tip_m()).norm() > kAskewM;
+    // Freed skin lets it stand a little beside the jaws' plane, on which it turns as well.
+    const Vec3 beside = hand_.tip_m() - jaws_at(p, centre_, grip_rad_);
+    if (habits_.edges_slide) centre_ += beside.dot(p.shaft) * p.shaft;
+    const bool askew = beside.norm() > (habits_.edges_slide ? kMostAskewM : kAskewM);
     stage(askew ? Stage::kDone : Stage::kPull);
 }
 
@@ -186,6 +201,7 @@ void SutureOperator::pull(const Plane& p, double dt_s) noexcept {
         return;
     }
     strained_s_ = 0;
+    if (habits_.edges_slide) give_way(p, dt_s);
     grip_rad_ += habits_.speed_m_s * dt_s / radius_m_;
     static_cast<void>(hand_.glide(hold_at(p, centre_, grip_rad_), 0.05, dt_s));
     const sim::PracticeStep& step = seen_.practice.step;
@@ -193,12 +209,12 @@ void SutureOperator::pull(const Plane& p, double dt_s) noexcept {
     // Well past its exit without having come out there: it was torn out, or never went in. Behind
     // the needle's end the angle begins anew.
     const double past_m = 2 * seen_.needle_arc_m - left_inside_m();
-    const bool lost = past_m > kTailM && past_m < 0.5 * seen_.needle_arc_m;
+    const bool lost = past_m > kPastM && past_m < 0.5 * seen_.needle_arc_m;
     if (seen_.drawn_through > drawn_ || lost || stage_s_ > kPatienceS) {
         stage(Stage::kLeave);
-    } else if (again && take_m_ == kTakeM && left_inside_m() < kTailM) {
+    } else if (again && take_m_ == kTakeM && left_inside_m() < habits_.tail_m) {
         take_m_ = step.take_share * seen_.needle_arc_m;
-        stage(Stage::kOpen);
+        loosen();
     }
 }
 
@@ -217,7 +233,7 @@ void SutureOperator::leave(double dt_s) noexcept {
 /// gives way.
 void SutureOperator::draw(const Plane& p, double dt_s) noexcept {
     if (seen_.practice.step.kind != sim::PracticeKind::kThreadDraw) {
-        next_bite();
+        if (!habits_.edges_slide || stage_s_ > kPatienceS || slackened(p, dt_s)) next_bite();
         return;
     }
     if (too_hard()) return;
@@ -257,6 +273,8 @@ void SutureOperator::go_on(const Plane& p, double dt_s) noexcept {
             if (hand_.reached(hold_at(p, centre_ + kOverMarkM * p.up, point_rad_ - held_rad_),
                               dt_s) &&
                 stage_s_ > 1.5) {
+                if (waits_) break;
+                if (habits_.edges_slide && marks) plan();
                 if (drawn_ > 0) look_along(p);
                 stage(Stage::kLower);
             }
@@ -279,8 +297,12 @@ void SutureOperator::go_on(const Plane& p, double dt_s) noexcept {
             static_cast<void>(hand_.glide(hold_at(p, centre_, point_rad_ - held_rad_), 0.05, dt_s));
             if (point_rad_ > entry_rad_ - kBeforeM / radius_m_) break;
             bites_ = seen_.bites;
+            if (habits_.edges_slide) exits_ = seen_.exits;
             if (marks) plan();
             stage(Stage::kLower);
+            break;
+        case Stage::kEase:
+            ease(dt_s);
             break;
         case Stage::kOpen:
             if (hand_.jaw(kOpenRad, kJawRadS, dt_s)) {

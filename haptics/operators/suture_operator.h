@@ -22,6 +22,9 @@ struct SutureHabits {
     double taut_m_s = 1.5e-3;   ///< Of the thread, once it pulls.
     double most_pull_n = 0.2;   ///< Harder it does not pull or push.
     double content_n = 0;       ///< Pull that a draw ends with; 0 = as much as the task wants.
+    double held_share = 0.72;   ///< Of the arc, from the point: where it is held at the start.
+    double tail_m = 2.5e-3;     ///< Left in the tissue, so that this holds the needle.
+    bool edges_slide = false;   ///< Skin gives way: it aims anew until the point is in it.
 };
 [[nodiscard]] const SutureHabits& suture_habits(OperatorLevel level) noexcept;
 
@@ -29,8 +32,17 @@ class SutureOperator final : public ScriptedOperator {
  public:
     SutureOperator(OperatorLevel level, uint64_t seed, size_t tool, const sim::ToolSpec& spec,
                    const Vec3& home_m);
+    SutureOperator(OperatorLevel level, const SutureHabits& habits, uint64_t seed, size_t tool,
+                   const sim::ToolSpec& spec, const Vec3& home_m);
     void see(const Perception& seen) override;
     [[nodiscard]] bool act(double dt_s, std::span<HandAction> hands) noexcept override;
+
+    /// Which edge of a wound another hand shall hold now: that where the point goes in, and then
+    /// that where it comes out.
+    enum class Edge : uint8_t { kNone, kEntry, kExit };
+    [[nodiscard]] Edge edge_wanted() const noexcept;
+    /// Before `act`: the other hand does not hold it yet, and the point waits before it.
+    void wait(bool waits) noexcept { waits_ = waits; }
 
  private:
     enum class Stage : uint8_t {
@@ -39,6 +51,7 @@ class SutureOperator final : public ScriptedOperator {
         kLower,
         kDrive,
         kDrawBack,
+        kEase,
         kOpen,
         kBack,
         kSwing,
@@ -73,7 +86,20 @@ class SutureOperator final : public ScriptedOperator {
     [[nodiscard]] bool too_hard() const noexcept;
     [[nodiscard]] double left_inside_m() const noexcept;
 
-    const SutureHabits& habits_;
+    // suture_sliding.cpp
+    void tilt(const Plane& plane, const Vec3& in_m) noexcept;
+    [[nodiscard]] bool follow_edges(const Plane& plane, double dt_s) noexcept;
+    void follow_entry(const Plane& plane, double dt_s) noexcept;
+    void look_at_point(const Plane& plane, const Vec3& mark, double dt_s) noexcept;
+    void aim_at_exit(const Plane& plane, double dt_s) noexcept;
+    [[nodiscard]] bool between_walls() const noexcept;
+    [[nodiscard]] bool slid_off() const noexcept;
+    void loosen() noexcept;
+    void ease(double dt_s) noexcept;
+    void give_way(const Plane& plane, double dt_s) noexcept;
+    [[nodiscard]] bool slackened(const Plane& plane, double dt_s) noexcept;
+
+    SutureHabits habits_;
     OperatorProfile profile_;
     HandMotion hand_;
     size_t tool_;
@@ -89,7 +115,8 @@ class SutureOperator final : public ScriptedOperator {
     double held_rad_ = 0;    ///< Held this far behind it.
     double grip_rad_ = 0, side_ = 1, out_rad_ = 0;
     double take_m_ = 0;  ///< Where it is taken next, from the point.
-    Vec3 out_mark_m_ = Vec3::Zero();
+    Vec3 in_mark_m_ = Vec3::Zero(), out_mark_m_ = Vec3::Zero();
+    bool waits_ = false;
     int starts_ = 0, bites_ = 0, misses_ = 0, retries_ = 0;
     int exits_ = 0, drawn_ = 0;  ///< Before this bite.
 };

@@ -239,4 +239,18 @@ bool UndermineOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
     return stage_ == Stage::kDone && stage_s_ > 1.5;
 }
 
+bool UndermineOperator::go_home(double dt_s, std::span<HandAction> hands) noexcept {
+    dt_s = std::clamp(dt_s, 0.0, 0.01);
+    time_s_ += dt_s;
+    bool there = true;
+    for (Worker& worker : workers_) {
+        if (!going_home_) worker.motion.reach(worker.motion.home_m(), Vec3::UnitZ());
+        there = worker.motion.reached(worker.motion.home_m(), dt_s) && there;
+        hands[worker.tool] = worker.motion.action(time_s_);
+        hands[worker.tool].opening = worker.opening;
+    }
+    going_home_ = true;
+    return there;
+}
+
 }  // namespace placode::haptics

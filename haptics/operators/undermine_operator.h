@@ -39,6 +39,8 @@ class UndermineOperator final : public ScriptedOperator {
                       std::span<const sim::ToolSpec> specs, std::span<const Vec3> homes);
     void see(const Perception& seen) override;
     [[nodiscard]] bool act(double dt_s, std::span<HandAction> hands) noexcept override;
+    /// After the last act: both hands go home. True when they are there.
+    [[nodiscard]] bool go_home(double dt_s, std::span<HandAction> hands) noexcept;
 
  private:
     enum class Stage : uint8_t {
@@ -84,6 +86,7 @@ class UndermineOperator final : public ScriptedOperator {
     Vec3 edge_ = Vec3::Zero(), out_ = Vec3::UnitY();  // where it was taken; away from the digger
     double time_s_ = 0, stage_s_ = 0, along_m_ = 0, depth_m_ = 0, height_m_ = 0;
     int place_ = 0, tries_ = 0;
+    bool going_home_ = false;
 };
 
 }  // namespace placode::haptics
