@@ -8,7 +8,7 @@ namespace {
 constexpr double kHolderOverM = 0.004, kHolderIntoM = 0.0005, kHolderDownM_s = 0.006,
                  kHolderUpM_s = 0.004;
 constexpr double kHolderOpenRad = 0.35, kHolderHeldRad = 0.15, kHolderJawRad_s = 0.8;
-constexpr double kHolderLooseRad = 0.24, kHolderLowM = 3e-4;
+constexpr double kHolderLooseRad = 0.24, kHolderLowM = 3e-4, kHolderSlowS = 0.5;
 constexpr double kOtherPlaceM = 0.0025;  // a place this far away is another one
 constexpr int kHolderTries = 2;
 
@@ -78,7 +78,11 @@ HandAction EdgeHolder::act(double time_s, double dt_s) noexcept {
             }
             break;
         case Stage::kLetGo:
-            if (motion_.jaw(kHolderLooseRad, kHolderJawRad_s, dt_s) && !holds_) stage(Stage::kUp);
+            // Thick tissue needs wider jaws to come free.
+            if (motion_.jaw(stage_s_ > kHolderSlowS ? kHolderOpenRad : kHolderLooseRad,
+                            kHolderJawRad_s, dt_s) &&
+                !holds_)
+                stage(Stage::kUp);
             break;
         case Stage::kUp:
             if (!motion_.glide(place_m_ + kHolderOverM * up, 3 * kHolderUpM_s, dt_s)) break;
