@@ -723,7 +723,7 @@ TEST_P(CourseStore, AShippedCourseIsPublishedOnFirstUse) {
     db::publish_course_on_first_use(*store, course);
     EXPECT_EQ(store->definitions().find("course", "full_dissection")->json, course.json);
     EXPECT_THAT(db::course_ids(*store),
-                ElementsAre("first_steps", "full_dissection", "short", "suturing"));
+                ElementsAre("first_steps", "full_dissection", "short", "suturing", "whole_repair"));
     EXPECT_THROW((void)db::find_course(*store, "none"), curriculum::DefinitionError);
     EXPECT_THROW((void)db::find_course(*store, "full_dissection", 9), curriculum::DefinitionError);
 }

@@ -238,6 +238,27 @@ TEST(Course, TheCourseToTheExamReachesFromFamiliarisationToTheWholeDissection) {
             << task << " is in no stage";
 }
 
+TEST(Course, TheWholeRepairIsLearntAndExaminedInTheOrderOfTheOperation) {
+    const Course course = load_course("whole_repair");
+    std::vector<std::string> practised, examined;
+    for (size_t i = 0; i < course.stages.size(); ++i) {
+        const CourseStage& stage = course.stages[i];
+        (stage.mode == StageMode::kExam ? examined : practised).push_back(stage.task_id);
+        if (i > 0) {
+            EXPECT_EQ(stage.requires_stages, std::vector{course.stages[i - 1].id}) << stage.id;
+        }
+        if (stage.mode == StageMode::kExam) {
+            EXPECT_TRUE(stage.exam.proctor) << stage.id;
+        }
+        // Who meets the benchmark has passed the task.
+        EXPECT_GE(stage.benchmark_points, load_task(stage.task_id).rubric.pass_points) << stage.id;
+    }
+    EXPECT_EQ(practised, (std::vector<std::string>{"sb_dissection", "irrigate", "patch_place",
+                                                   "wound_closure"}));
+    EXPECT_EQ(examined,
+              (std::vector<std::string>{"sb_dissection", "patch_place", "wound_closure"}));
+}
+
 TEST(Course, FamiliarisationCountsWhateverTheScore) {
     Course course = two_stages();
     course.stages[0].mode = StageMode::kFamiliarisation;
