@@ -69,7 +69,8 @@ inline std::string value_message(const std::string& sentence) {
     static const std::regex kConvert(R"(^Could not convert: (.+?) = (.*)$)");
     static const std::regex kMissing(R"(^(.+?): \d+ required (.*) missing$)");
     static const std::regex kRequired(R"(^(.+) is required$)");
-    static const std::regex kTooMany(R"(^(.+?): At Most (\d+) required but received (\d+)$)");
+    static const std::regex kTooMany(
+        R"(^(.+?): (?:At Most|At least) (\d+) required but received (\d+)$)");
     std::smatch part;
     const auto thing = [&] { return part[1].matched ? part[1].str() + ": " : std::string(); };
     if (std::regex_match(said, part, kNoMember)) {

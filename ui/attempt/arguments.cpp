@@ -157,7 +157,7 @@ void add_attempt_options(CLI::App& app, Arguments& arguments) {
     app.add_option("--threads", arguments.threads, "Threads of the physics")
         ->check(CLI::Range(1, 64));
     app.add_option("--seed", arguments.seed, "Seed of anatomy and scripted operator")
-        ->check(seed_range());
+        ->transform(seed_range());
 }
 
 /// How it is shown and saved.

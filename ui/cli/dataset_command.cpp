@@ -254,7 +254,7 @@ void add_dataset_command(CLI::App& app, Context& context) {
         ->expected(3)
         ->default_str("80,10,10");
     command->add_option("--split-seed", options->seed, "Who is in which part")
-        ->check(ui::seed_range())
+        ->transform(ui::seed_range())
         ->capture_default_str();
     command->add_option("--step", options->step_ms, "Between two actions [ms]")
         ->check(CLI::Range(10, 1000))

@@ -79,7 +79,7 @@ void add_stats_commands(CLI::App& app, Context& context) {
     stats->add_option("--statistic", options->statistic, "mean or median (bootstrap)");
     stats->add_option("--resamples", options->resamples, "Monte-Carlo resamples (bootstrap)");
     stats->add_option("--seed", options->seed, "Seed of the resampling (bootstrap)")
-        ->check(ui::seed_range());
+        ->transform(ui::seed_range());
     stats->add_option("--digits", options->digits,
                       "Significant digits of the differences before ties are counted (wilcoxon; "
                       "default: exact, as R)");
