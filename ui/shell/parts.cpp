@@ -53,10 +53,12 @@ class Picture : public QWidget {
     QPixmap cache_;
 };
 
-/// Width of the longest text of a column [px], of all of its rows.
+constexpr int kAskedRows = 50;  ///< Of a table, for their size.
+
+/// Width of a column's longest text in the rows that are not asked for their size [px].
 int longest_text(const QTableWidget& table, int column) {
     QString longest;
-    for (int row = 0; row < table.rowCount(); ++row) {
+    for (int row = kAskedRows; row < table.rowCount(); ++row) {
         const QTableWidgetItem* item = table.item(row, column);
         if (item != nullptr && item->text().size() > longest.size()) longest = item->text();
     }
@@ -183,7 +185,7 @@ void fit_columns(QTableWidget* table, int stretch) {
     QHeaderView* header = table->horizontalHeader();
     // Of a thousand rows the first ones tell how wide a column is, and the longest text of the
     // others: to ask each of them for its size takes 100 ms.
-    header->setResizeContentsPrecision(50);
+    header->setResizeContentsPrecision(kAskedRows);
     table->resizeColumnsToContents();
     for (int c = 0; c < table->columnCount(); ++c) {
         // Room for the padding of the style sheet, which the size hint of a cell leaves out.
