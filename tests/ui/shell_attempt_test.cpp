@@ -354,9 +354,9 @@ void ShellAttemptTest::aStageIsRememberedAndMayBeLeftBeforeItIsReady() {
     QCOMPARE(stages->count(), 3);
     QCOMPARE(stages->currentData().toInt(), 0);
     QCOMPARE(stages->itemText(2), QString("bite 3"));
-    QVERIFY(!shell.find<QLabel>("stage_note")->isVisible());
+    QVERIFY(shell.find<QLabel>("stage_note")->isHidden());
     stages->setCurrentIndex(2);
-    QVERIFY(shell.find<QLabel>("stage_note")->isVisible());
+    QVERIFY(!shell.find<QLabel>("stage_note")->isHidden());
     shell.shot("20_task_stage");
     QVERIFY(shell.choose("device", "script:expert"));
     // Nobody has prepared it yet.

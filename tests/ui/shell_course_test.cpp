@@ -87,9 +87,9 @@ void ShellCourseTest::editorSaysAtTheFieldWhatIsWrong() {
     QVERIFY(shell.text("problem_course").contains("\"ring exam\" is no id"));
     QVERIFY(shell.type("course_id", "ring_exam"));
     QVERIFY2(shell.text("no_stages").contains("Press Add"), "an empty list says what to do");
-    QVERIFY(shell.find<QLabel>("no_stages")->isVisible());
+    QVERIFY(!shell.find<QLabel>("no_stages")->isHidden());
     QVERIFY(shell.click("add_stage"));
-    QVERIFY(!shell.find<QLabel>("no_stages")->isVisible());
+    QVERIFY(shell.find<QLabel>("no_stages")->isHidden());
     QVERIFY(shell.click("add_stage"));
     auto* list = shell.find<QListWidget>("stage_list");
     QCOMPARE(list->count(), 2);

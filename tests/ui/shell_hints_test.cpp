@@ -421,7 +421,7 @@ void ShellHintsTest::whatBeganAtAStageSaysSo() {
         for (const auto* label : shell_->window().page()->findChildren<QLabel*>())
             said = said || label->text().contains(fact);
         QVERIFY2(said, qPrintable(fact));
-        QVERIFY(shell_->fits());
+        QVERIFY(QTest::qWaitFor([&] { return shell_->fits(); }, 5000));
     };
     says("en", "Does not count: begun at stage 1", "from bite 2");
     says("pl", QString::fromUtf8("Nie liczy się: rozpoczęta od etapu 1"),
