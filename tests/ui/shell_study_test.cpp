@@ -603,6 +603,7 @@ void ShellStudyTest::coordinatorSeesWhereEveryoneStands() {
     table = shell.find<QTableWidget>("progress_table");
     table->selectRow(1);
     QVERIFY(shell.type("withdraw_reason", "not given"));
+    shell.confirmNext();
     QVERIFY(press("withdraw"));
     QVERIFY(QTest::qWaitFor(
         [&] {
