@@ -295,7 +295,8 @@ TEST_F(TrainingPrograms, StandardsAreSetFromGroupsAndExchangedSigned) {
     EXPECT_THAT(made.out, AllOf(HasSubstr("\"persons\": 5"), Not(HasSubstr("Person"))));
     EXPECT_THAT(as("anna", "norms list").out, HasSubstr("expert 5, novice 5"));
     EXPECT_EQ(as("ewa", "norms export 1 --out n.json").status, 0);
-    EXPECT_NE(as("ewa", "norms export 1 --out n.json/n.json").status, 0);
+    // A name that no file system takes is met only when the file is made.
+    EXPECT_NE(as("ewa", "norms export 1 --out " + std::string(300, 'n')).status, 0);
     EXPECT_EQ(db::open_store("sqlite:" + store, cheap())->audit().of_action("norms.export").size(),
               2u)
         << "the entry comes before the file";
@@ -495,7 +496,7 @@ TEST_F(TrainingPrograms, ReportsAndTheCertificateAreWritten) {
     EXPECT_EQ(certificate.status, 0) << certificate.err;
     EXPECT_THAT(certificate.out, HasSubstr("\"code\""));
     // Also of one that is issued already, and before the file, which comes to nothing here.
-    EXPECT_NE(as("anna", "report certificate mine --out c.pdf/c.pdf").status, 0);
+    EXPECT_NE(as("anna", "report certificate mine --out " + std::string(300, 'c')).status, 0);
     EXPECT_EQ(
         db::open_store("sqlite:" + store, cheap())->audit().of_action("report.certificate").size(),
         2u);
