@@ -38,6 +38,7 @@ int run_stats(const Context& context, const StatsOptions& options) {
     const auto found = all.find(options.name);
     if (found == all.end()) {
         std::vector<std::string> names;
+        names.reserve(all.size());
         for (const auto& [name, function] : all) names.push_back(name);
         throw InputError("stats: unknown statistic \"" + options.name + "\"; expected one of: " +
                          ui::list_of(names) + sim::did_you_mean(options.name, names));
