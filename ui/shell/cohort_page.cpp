@@ -25,7 +25,7 @@
 namespace placode::ui {
 namespace {
 
-constexpr int kFewTasks = 170, kManyTasks = 116, kLeastTask = 40;  ///< Width of a column [px].
+constexpr int kFewTasks = 170, kManyTasks = 116, kLeastTask = 36;  ///< Width of a column [px].
 constexpr int kRoomForScore = 44;  ///< Of a column that holds a sign and a score [px].
 
 using assessment::CohortCell;
@@ -174,7 +174,7 @@ class CohortPage : public Page {
             table_->setColumnWidth(c, manyTasks() ? kManyTasks : kFewTasks);
         table_->horizontalHeader()->setMinimumSectionSize(kLeastTask);
         wrap_titles(table_);
-        // A name ends in dots before the scores of sixteen tasks scroll sideways, and not before
+        // A name ends in dots before the scores of eighteen tasks scroll sideways, and not before
         // they have given way to it.
         keep_within(table_, {.stretch = 0,
                              .least_px = 180,
