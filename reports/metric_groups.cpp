@@ -8,10 +8,10 @@
 namespace placode::reports {
 namespace {
 
-constexpr std::array kGroups{MetricGroup::kTime,     MetricGroup::kIncision,  MetricGroup::kPlacode,
-                             MetricGroup::kTissue,   MetricGroup::kResection, MetricGroup::kEnergy,
-                             MetricGroup::kForce,    MetricGroup::kMotion,    MetricGroup::kHands,
-                             MetricGroup::kPractice, MetricGroup::kSuture};
+constexpr std::array kGroups{
+    MetricGroup::kTime,      MetricGroup::kIncision, MetricGroup::kPlacode, MetricGroup::kTissue,
+    MetricGroup::kResection, MetricGroup::kEnergy,   MetricGroup::kForce,   MetricGroup::kMotion,
+    MetricGroup::kHands,     MetricGroup::kPractice, MetricGroup::kSuture,  MetricGroup::kClosure};
 
 struct Rule {
     std::string_view beginning;
@@ -77,8 +77,9 @@ constexpr Rule kRules[]{
     {"undermine_", MetricGroup::kPractice},
     {"closing_", MetricGroup::kForce},
     {"bite_", MetricGroup::kSuture},
-    {"slit_", MetricGroup::kSuture},
+    {"slit_", MetricGroup::kClosure},
     {"bites_", MetricGroup::kSuture},
+    {"needle_handover", MetricGroup::kHands},
     {"needle_", MetricGroup::kSuture},
     {"thread_", MetricGroup::kSuture},
 };
@@ -124,6 +125,8 @@ const char* group_title(MetricGroup group) noexcept {
             return "Steps of the exercise";
         case MetricGroup::kSuture:
             return "Needle and thread";
+        case MetricGroup::kClosure:
+            return "Closed wound";
     }
     return "";
 }

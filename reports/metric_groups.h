@@ -22,7 +22,8 @@ enum class MetricGroup : uint8_t {
     kMotion,
     kHands,
     kPractice,
-    kSuture
+    kSuture,
+    kClosure
 };
 
 /// English heading: "Time and view", "Incision", ...

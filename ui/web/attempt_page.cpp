@@ -82,6 +82,8 @@ Text group_words(reports::MetricGroup group) {
             return Web::phrase("Steps of the exercise");
         case reports::MetricGroup::kSuture:
             return Web::phrase("Needle and thread");
+        case reports::MetricGroup::kClosure:
+            return Web::phrase("Closed wound");
     }
     return dash();
 }

@@ -12778,6 +12778,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Kroki ćwiczenia</translation>
     </message>
     <message>
+        <source>Closed wound</source>
+        <translation>Zamknięcie rany</translation>
+    </message>
+    <message>
         <source>Needle and thread</source>
         <translation>Igła i nić</translation>
     </message>
