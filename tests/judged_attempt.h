@@ -6,12 +6,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "assessment/scoring.h"
+#include "curriculum/replay.h"
 #include "curriculum/task.h"
 #include "sim/step/recording.h"
 #include "tests/attempt_fixture.h"
@@ -44,6 +47,18 @@ inline Outcome performed(const curriculum::Task& task, const std::string& level,
             testing::Test::RecordProperty(level + "_" + metric.id, std::to_string(metric.value));
     testing::Test::RecordProperty(level + "_points", std::to_string(out.score.points));
     return out;
+}
+
+/// The recording replays to the end, bit for bit, with each of these numbers of threads.
+inline void expect_replays_alike(const sim::Recording& recording,
+                                 std::initializer_list<int> threads) {
+    for (const int count : threads) {
+        curriculum::Replay replay(recording, count);
+        while (replay.step()) {
+        }
+        EXPECT_TRUE(replay.result().identical) << count << ": " << replay.result().message;
+        EXPECT_EQ(replay.result().frames, std::ssize(recording.inputs)) << count;
+    }
 }
 
 }  // namespace placode::test

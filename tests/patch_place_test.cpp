@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "assessment/scoring.h"
-#include "curriculum/replay.h"
 #include "tests/attempt_fixture.h"
 #include "tests/judged_attempt.h"
 
@@ -74,13 +73,7 @@ TEST(PatchPlace, WhoDoesNothingIsNotJudgedAndWhoLeavesItHalfwayEarnsLittle) {
 }
 
 TEST(PatchPlace, IsReplayedBitForBitOnOtherNumbersOfThreads) {
-    for (const int threads : {2, 3}) {
-        Replay replay(expert().recording, threads);
-        while (replay.step()) {
-        }
-        EXPECT_TRUE(replay.result().identical) << threads << ": " << replay.result().message;
-        EXPECT_EQ(replay.result().frames, std::ssize(expert().recording.inputs));
-    }
+    test::expect_replays_alike(expert().recording, {2, 3});
 }
 
 }  // namespace THIS_TEST

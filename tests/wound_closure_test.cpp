@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "assessment/scoring.h"
-#include "curriculum/replay.h"
 #include "tests/judged_attempt.h"
 
 namespace placode::curriculum {
@@ -68,13 +67,7 @@ TEST(WoundClosure, WhoDoesNothingIsNotJudged) {
 }
 
 TEST(WoundClosure, IsReplayedBitForBitOnOtherNumbersOfThreads) {
-    for (const int threads : {1, 2}) {
-        Replay replay(expert().recording, threads);
-        while (replay.step()) {
-        }
-        EXPECT_TRUE(replay.result().identical) << threads << ": " << replay.result().message;
-        EXPECT_EQ(replay.result().frames, std::ssize(expert().recording.inputs));
-    }
+    test::expect_replays_alike(expert().recording, {1, 2});
 }
 
 }  // namespace THIS_TEST
