@@ -29,6 +29,9 @@ void begin_suturing_anew(Suturing& s) noexcept {
     s.slide = s.turn = {};
     s.taken = s.entered = s.left = s.through = 0;
     s.entry_m = s.exit_m = {};
+    Handover& h = s.handover;
+    h.held_s = h.peak_n = h.both_s = h.apart_n = h.swung_rad = 0;
+    h.slide = h.turn = {};
 }
 
 void begin_irrigation_anew(IrrigationState& s) noexcept {
