@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/patch_cases.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 
+#include "bench/hard_case.h"
 #include "bench/tissue_watch.h"
 #include "curriculum/scene_changes.h"
 #include "curriculum/task.h"
@@ -22,11 +20,10 @@ using sim::EventKind;
 using sim::StabilityVerdict;
 using sim::Vec3;
 
-constexpr double kOpenRad = 0.6, kShutRad = 0.02;
+constexpr double kWideRad = 0.6, kShutRad = 0.02;
 constexpr double kTissueM = 0.020;   // no part of it gets so far from its place
 constexpr double kLostM = 0.1;       // of the patch from the middle of the field
 constexpr double kThroughM = 0.001;  // below the surface: it has gone into the hole
-constexpr double kCalmM_S = 0.01;    // what has come to rest is no faster
 constexpr double kTakeM = 0.0001;    // of the tips over the patch's middle
 constexpr int kReachFrames = 300, kShutFrames = 200;
 constexpr double kBesideM = 0.002;  // of one hand from the other
@@ -40,8 +37,6 @@ constexpr const char* kOverAHole = R"({
   "patch": {"length_m": 0.013, "width_m": 0.012, "centre_m": [0.0165, 0]},
   "contact": {"self_contact": true}})";
 
-std::string millimetres(double metres) { return sim::rounded_text(1000 * metres, 3) + " mm"; }
-
 /// The field with its patch in the two hands of a case.
 class PatchStage {
  public:
@@ -52,7 +47,7 @@ class PatchStage {
           inputs_(scene_->tools.size()),
           feedback_(inputs_.size()) {
         for (size_t i = 0; i < inputs_.size(); ++i)
-            hand(i, Vec3(i == 0 ? 0.006 : -0.006, 0.008, 0.02), kOpenRad, false);
+            hand(i, Vec3(i == 0 ? 0.006 : -0.006, 0.008, 0.02), kWideRad, false);
         sim::settle(*scene_, *state_, 1.0);
         at_rest_.assign(state_->body.x.begin(), state_->body.x.end());
     }
@@ -130,8 +125,8 @@ class PatchStage {
 /// The patch between the jaws, from above, where it now lies nearest to a place.
 void take(PatchStage& stage, size_t tool, double x, double y) {
     const Vec3 at = stage.nearest_to(x, y) + Vec3(0, 0, kTakeM);
-    stage.go(tool, at + Vec3(0, 0, 0.004), kOpenRad, kReachFrames);
-    stage.go(tool, at, kOpenRad, kReachFrames);
+    stage.go(tool, at + Vec3(0, 0, 0.004), kWideRad, kReachFrames);
+    stage.go(tool, at, kWideRad, kReachFrames);
     stage.go(tool, at, kShutRad, kShutFrames);
 }
 
@@ -149,12 +144,12 @@ void through_a_hole(sim::StabilityResult& result, double seconds) {
     stage.go(0, {other + kBesideM, 0, z + 0.002}, kShutRad, 800);
     const double folded = stage.over_patch([](const Vec3& p) { return p.x() - kPatchX; });
     // It would spring open: the right hand keeps it shut until the left one has pushed it in.
-    stage.go(1, {other, 0, stage.nearest_to(other, 0).z()}, kOpenRad, 200);
-    stage.go(1, {other, 0.004, z + 0.012}, kOpenRad, 300);
+    stage.go(1, {other, 0, stage.nearest_to(other, 0).z()}, kWideRad, 200);
+    stage.go(1, {other, 0.004, z + 0.012}, kWideRad, 300);
     stage.go(1, {kHoleX - 0.001, 0, z + 0.007}, kShutRad, 300);
     stage.go(1, {kHoleX - 0.001, 0, z - 0.004}, kShutRad, 200);
-    stage.go(0, {other + kBesideM, 0, z + 0.002}, kOpenRad, 200);
-    stage.go(0, {other + kBesideM, 0, z + 0.012}, kOpenRad, 200);
+    stage.go(0, {other + kBesideM, 0, z + 0.002}, kWideRad, 200);
+    stage.go(0, {other + kBesideM, 0, z + 0.012}, kWideRad, 200);
     stage.go(1, {kHoleX - 0.001, 0.002, z - 0.003}, kShutRad, 100);
     stage.go(1, {kHoleX + 0.001, -0.003, z - 0.003}, kShutRad, 100);
     const double in_hole = -stage.over_patch([](const Vec3& p) { return -p.z(); });
@@ -185,16 +180,16 @@ void throw_about(PatchStage& stage, sim::SplitMix64& random, int64_t frames, int
             n += 2 * kReachFrames + kShutFrames;
         }
         const int count = 20 + static_cast<int>(random.uniform(0, 400));
-        stage.go(tool, to, random.uniform(0, 1) < 0.8 ? kShutRad : kOpenRad, count);
+        stage.go(tool, to, random.uniform(0, 1) < 0.8 ? kShutRad : kWideRad, count);
         n += count;
     }
     for (const size_t tool : {size_t{0}, size_t{1}})
-        stage.go(tool, {0.006, tool == 0 ? -0.008 : 0.008, 0.02}, kOpenRad, 500);
+        stage.go(tool, {0.006, tool == 0 ? -0.008 : 0.008, 0.02}, kWideRad, 500);
     stage.frames(3);
 }
 
 /// In one field after the other; afterwards they let go, and all must come to rest.
-void without_sense(sim::StabilityResult& result, const sim::StabilityOptions& options) {
+void handled_without_sense(sim::StabilityResult& result, const sim::StabilityOptions& options) {
     sim::SplitMix64 random(1);
     int64_t done = 0;
     int fields = 0, taken = 0, torn = 0;
@@ -222,24 +217,15 @@ void without_sense(sim::StabilityResult& result, const sim::StabilityOptions& op
                     " mm/s" + (finite ? "" : "; not finite");
 }
 
+constexpr HardCase kPatchCases[]{
+    {"patch folded and pushed through a hole",
+     [](sim::StabilityResult& result, const sim::StabilityOptions& options) {
+         through_a_hole(result, options.seconds);
+     }},
+    {"random hands at the patch", handled_without_sense}};
+
 }  // namespace
 
-std::vector<std::string> patch_case_names() {
-    return {"patch folded and pushed through a hole", "random hands at the patch"};
-}
-
-sim::StabilityResult run_patch_case(const std::string& name, const sim::StabilityOptions& options) {
-    sim::StabilityResult result;
-    result.name = name;
-    result.method = "vbd";
-    const auto names = patch_case_names();
-    if (name == names[0])
-        through_a_hole(result, options.seconds);
-    else if (name == names[1])
-        without_sense(result, options);
-    else
-        throw std::invalid_argument("no stability case named " + name);
-    return result;
-}
+std::span<const HardCase> patch_cases() { return kPatchCases; }
 
 }  // namespace placode::bench

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/suture_cases.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "bench/hard_case.h"
 #include "bench/suture_stage.h"
 #include "sim/core/number_text.h"
 #include "sim/core/random.h"
@@ -21,13 +20,10 @@ using sim::Vec3;
 constexpr double kStillM = 1e-5;    // what lies still moves less
 constexpr double kBackM = 2e-4;     // the surface, from where it lay before the needle came
 constexpr double kBoundsM = 0.020;  // no part of the tissue gets so far from its place
-constexpr double kCalmM_S = 0.01;   // what has come to rest is no faster
 constexpr double kReachM = 0.045;  // what hangs on follows a hand, a needle's length and no farther
 constexpr int64_t kFramesOfABite = 4000;
 constexpr double kOpenRad = 0.6;
 constexpr double kIntoBiteS = 0.25;  // after the point went in
-
-std::string millimetres(double metres) { return sim::rounded_text(1000 * metres, 3) + " mm"; }
 
 void judge(sim::StabilityResult& result, const SutureStage& stage, bool good,
            const std::string& detail) {
@@ -154,30 +150,23 @@ void without_sense(sim::StabilityResult& result, const sim::StabilityOptions& op
                     millimetres(result.error) + " away" + (finite ? "" : "; not finite");
 }
 
+constexpr HardCase kSutureCases[]{
+    {"needle let go in a bite",
+     [](sim::StabilityResult& result, const sim::StabilityOptions& options) {
+         let_go(result, options.rest_seconds);
+     }},
+    {"needle torn away",
+     [](sim::StabilityResult& result, const sim::StabilityOptions& options) {
+         torn_away(result, options.seconds);
+     }},
+    {"thread pulled until tissue gives",
+     [](sim::StabilityResult& result, const sim::StabilityOptions& options) {
+         pulled_through(result, options.seconds);
+     }},
+    {"random hand at needle and thread", without_sense}};
+
 }  // namespace
 
-std::vector<std::string> suture_case_names() {
-    return {"needle let go in a bite", "needle torn away", "thread pulled until tissue gives",
-            "random hand at needle and thread"};
-}
-
-sim::StabilityResult run_suture_case(const std::string& name,
-                                     const sim::StabilityOptions& options) {
-    sim::StabilityResult result;
-    result.name = name;
-    result.method = "vbd";  // needle and thread are blocks of its descent
-    const auto names = suture_case_names();
-    if (name == names[0])
-        let_go(result, options.rest_seconds);
-    else if (name == names[1])
-        torn_away(result, options.seconds);
-    else if (name == names[2])
-        pulled_through(result, options.seconds);
-    else if (name == names[3])
-        without_sense(result, options);
-    else
-        throw std::invalid_argument("no stability case named " + name);
-    return result;
-}
+std::span<const HardCase> suture_cases() { return kSutureCases; }
 
 }  // namespace placode::bench

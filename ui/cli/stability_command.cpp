@@ -8,9 +8,8 @@
 #include <iostream>
 #include <memory>
 
-#include "bench/patch_cases.h"
+#include "bench/hard_cases.h"
 #include "bench/stability_report.h"
-#include "bench/suture_cases.h"
 #include "sim/verify/stability_cases.h"
 #include "ui/cli/write_file.h"
 #include "ui/finite_range.h"
@@ -50,11 +49,9 @@ std::string length_text(const StabilityCommandOptions& options) {
 /// Every case that was asked for, with every method. @throws InputError for an unknown one.
 std::vector<sim::StabilityResult> run_cases(const StabilityCommandOptions& options,
                                             const sim::StabilityOptions& cases) {
-    const auto names = sim::stability_case_names(), of_sutures = bench::suture_case_names(),
-               of_patches = bench::patch_case_names();
+    const auto names = sim::stability_case_names(), in_tasks = bench::hard_case_names();
     auto every = names;
-    for (const auto* more : {&of_sutures, &of_patches})
-        every.insert(every.end(), more->begin(), more->end());
+    every.insert(every.end(), in_tasks.begin(), in_tasks.end());
     if (!options.only.empty() &&
         std::find(every.begin(), every.end(), options.only) == every.end()) {
         std::string known;
@@ -74,10 +71,8 @@ std::vector<sim::StabilityResult> run_cases(const StabilityCommandOptions& optio
         for (const sim::Method method :
              {sim::Method::kVbd, sim::Method::kXpbd, sim::Method::kXpbdPair})
             if (wanted(name)) keep(sim::run_stability_case(name, method, cases));
-    for (const std::string& name : of_sutures)
-        if (wanted(name)) keep(bench::run_suture_case(name, cases));
-    for (const std::string& name : of_patches)
-        if (wanted(name)) keep(bench::run_patch_case(name, cases));
+    for (const std::string& name : in_tasks)
+        if (wanted(name)) keep(bench::run_hard_case(name, cases));
     return results;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever is done to needle and thread, they stay numbers, the tissue stays in its place and comes
-// back. The long versions run in `placodectl bench stability`.
+// Whatever is done to needle, thread and patch, they stay numbers, the tissue stays in its place
+// and comes to rest. The long versions run in `placodectl bench stability`.
 
-#include "bench/suture_cases.h"
+#include "bench/hard_cases.h"
 
 #include <gtest/gtest.h>
 
@@ -12,19 +12,19 @@
 namespace placode::bench {
 namespace THIS_TEST {
 
-class SutureCases : public testing::TestWithParam<std::string> {};
+class HardCases : public testing::TestWithParam<std::string> {};
 
-TEST_P(SutureCases, Holds) {
+TEST_P(HardCases, Holds) {
     sim::StabilityOptions options;
     options.seconds = 1;
     options.rest_seconds = 2;
     options.poke_frames = 3000;
-    const sim::StabilityResult result = run_suture_case(GetParam(), options);
+    const sim::StabilityResult result = run_hard_case(GetParam(), options);
     EXPECT_EQ(result.verdict, sim::StabilityVerdict::kHolds) << result.detail;
     RecordProperty("detail", result.detail);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SutureCases, testing::ValuesIn(suture_case_names()),
+INSTANTIATE_TEST_SUITE_P(All, HardCases, testing::ValuesIn(hard_case_names()),
                          [](const auto& test) {
                              std::string name = test.param;
                              for (char& c : name)
@@ -32,8 +32,8 @@ INSTANTIATE_TEST_SUITE_P(All, SutureCases, testing::ValuesIn(suture_case_names()
                              return name;
                          });
 
-TEST(SutureCasesByName, AnUnknownOneIsRefused) {
-    EXPECT_THROW((void)run_suture_case("none", {}), std::invalid_argument);
+TEST(HardCasesByName, AnUnknownOneIsRefused) {
+    EXPECT_THROW((void)run_hard_case("none", {}), std::invalid_argument);
 }
 
 }  // namespace THIS_TEST
