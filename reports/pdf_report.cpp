@@ -70,6 +70,7 @@ void add_leak(Sheets& sheets, const ReportSubject& subject, const ChartStyle& st
         });
     sheets.html(QStringLiteral("<p>%1</p>")
                     .arg((map ? leak_words(*map) : no_leak_map_words()).toHtmlEscaped()));
+    sheets.space(10);
 }
 
 /// What was harmed when and where, and the paths of the instruments.
