@@ -243,7 +243,7 @@ endfunction()
 # The four programs. ui/shell is a library as well, so that tests can drive the real windows.
 function(placode_ui_programs)
   placode_version()
-  placode_library(diagnostics FOLDERS ui/diagnostics LINK placode_version)
+  placode_library(diagnostics FOLDERS ui/diagnostics LINK placode_sim placode_version)
   file(GLOB shell_sources CONFIGURE_DEPENDS ui/shell/*.cpp ui/shell/*.h)
   list(FILTER shell_sources EXCLUDE REGEX "ui/shell/main\\.cpp$")
   add_library(placode_shell STATIC ${shell_sources})

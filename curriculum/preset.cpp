@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "curriculum/json_reader.h"
+#include "sim/core/user_folders.h"
 
 namespace placode::curriculum {
 
@@ -58,14 +59,9 @@ std::string slug(const std::string& name) {
 }  // namespace
 
 fs::path preset_folder() {
-    const auto set = [](const char* name) {
-        const char* value = std::getenv(name);
-        return std::string(value != nullptr ? value : "");
-    };
-    if (const std::string own = set("PLACODE_PRESETS"); !own.empty()) return own;
-    if (const std::string data = set("XDG_DATA_HOME"); !data.empty())
-        return fs::path(data) / "placode" / "presets";
-    return fs::path(set("HOME")) / ".local" / "share" / "placode" / "presets";
+    if (const char* own = std::getenv("PLACODE_PRESETS"); own != nullptr && *own != '\0')
+        return own;
+    return sim::user_path(sim::UserFolder::kData, "placode/presets");
 }
 
 std::vector<ScenePreset> list_presets() {
@@ -106,6 +102,8 @@ fs::path save_preset(ScenePreset& preset) {
     const fs::path folder = preset_folder();
     if (preset.name.empty())
         throw DefinitionError(folder.string(), "/name", "is empty; give the preset a name");
+    if (folder.empty())
+        throw DefinitionError(preset.name, "", "has no folder; set HOME or PLACODE_PRESETS");
     Json json;
     json["name"] = preset.name;
     json["preset_of"] = preset.preset_of;

@@ -25,7 +25,8 @@ struct ScenePreset {
     double cut_power_w = -1, coag_power_w = -1;  ///< -1 = as the task says.
 };
 
-/// $PLACODE_PRESETS, else $XDG_DATA_HOME/placode/presets, else ~/.local/share/placode/presets.
+/// $PLACODE_PRESETS, else $XDG_DATA_HOME/placode/presets, else ~/.local/share/placode/presets;
+/// empty without a home.
 [[nodiscard]] std::filesystem::path preset_folder();
 /// By file name. Files that are no presets are left out.
 [[nodiscard]] std::vector<ScenePreset> list_presets();

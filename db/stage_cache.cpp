@@ -7,7 +7,6 @@
 #include <QByteArray>
 #include <QFile>
 #include <algorithm>
-#include <cstdlib>
 #include <locale>
 #include <optional>
 #include <span>
@@ -18,6 +17,7 @@
 #include "db/packing.h"
 #include "db/recording_chunks.h"
 #include "db/whole_file.h"
+#include "sim/core/user_folders.h"
 
 namespace placode::db {
 namespace {
@@ -108,15 +108,7 @@ std::shared_ptr<const StageStart> read(const fs::path& file, const std::string& 
 }  // namespace
 
 fs::path StageCache::folder_of_this_user() {
-    const auto set = [](const char* name) {
-        const char* value = std::getenv(name);
-        return fs::path(value != nullptr ? value : "");
-    };
-    if (const fs::path cache = set("XDG_CACHE_HOME"); cache.is_absolute())
-        return cache / "placode" / "stages";
-    if (const fs::path home = set("HOME"); home.is_absolute())
-        return home / ".cache" / "placode" / "stages";
-    return {};
+    return sim::user_path(sim::UserFolder::kCache, "placode/stages");
 }
 
 StageCache::StageCache(fs::path folder, uint64_t most_bytes)

@@ -10,6 +10,7 @@
 
 #include "sim/core/number_text.h"
 #include "sim/core/text_file.h"
+#include "sim/core/user_folders.h"
 
 namespace placode::haptics {
 
@@ -132,11 +133,7 @@ Station Station::parse(std::string_view text, const std::string& file) {
 
 std::string Station::path_of_this_computer() {
     if (const char* named = std::getenv("PLACODE_STATION")) return named;
-    std::string folder;
-    if (const char* config = std::getenv("XDG_CONFIG_HOME")) folder = config;
-    if (folder.empty())
-        if (const char* home = std::getenv("HOME")) folder = std::string(home) + "/.config";
-    return folder.empty() ? "" : folder + "/placode/station.conf";
+    return sim::user_path(sim::UserFolder::kConfig, "placode/station.conf").string();
 }
 
 Station Station::of_this_computer() {

@@ -52,6 +52,28 @@ TEST_F(Preset, WhatIsSavedIsListedAndLoadedWithWhoAndWhen) {
     EXPECT_EQ(again.coag_power_w, -1);
 }
 
+TEST_F(Preset, LiesInTheUsersDataUnlessTheEnvironmentNamesAFolder) {
+    const auto value = [](const char* name) {
+        const char* set = std::getenv(name);
+        return std::string(set != nullptr ? set : "");
+    };
+    const std::string home = value("HOME"), data = value("XDG_DATA_HOME");
+    EXPECT_EQ(preset_folder(), folder_);
+    setenv("PLACODE_PRESETS", "", 1);
+    setenv("HOME", "/home/ada", 1);
+    setenv("XDG_DATA_HOME", "/some/where", 1);
+    EXPECT_EQ(preset_folder(), "/some/where/placode/presets");
+    setenv("XDG_DATA_HOME", "relative", 1);
+    EXPECT_EQ(preset_folder(), "/home/ada/.local/share/placode/presets");
+    unsetenv("HOME");
+    EXPECT_EQ(preset_folder(), "");
+    EXPECT_TRUE(list_presets().empty());
+    ScenePreset preset = example();
+    EXPECT_THROW(save_preset(preset), DefinitionError) << "not where the program was started";
+    home.empty() ? unsetenv("HOME") : setenv("HOME", home.c_str(), 1);
+    data.empty() ? unsetenv("XDG_DATA_HOME") : setenv("XDG_DATA_HOME", data.c_str(), 1);
+}
+
 TEST_F(Preset, ASecondOneOfTheSameNameDoesNotReplaceTheFirst) {
     ScenePreset first = example(), second = example();
     save_preset(first);

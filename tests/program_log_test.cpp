@@ -9,10 +9,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace placode::ui {
@@ -118,6 +121,34 @@ TEST_F(ProgramLogTest, APlaceThatCannotBeWrittenStopsNothing) {
     fs::create_symlink(root / "victim", log_file(folder));
     ProgramLog(folder, "placode").note("started");
     EXPECT_FALSE(fs::exists(root / "victim"));
+}
+
+TEST_F(ProgramLogTest, LiesInTheUsersDataAndWithoutAHomeNowhere) {
+    const auto value = [](const char* name) {
+        const char* set = std::getenv(name);
+        return std::string(set != nullptr ? set : "");
+    };
+    const std::string log = value("PLACODE_LOG"), data = value("XDG_DATA_HOME"),
+                      home = value("HOME");
+    ::setenv("PLACODE_LOG", "/some/log", 1);
+    EXPECT_EQ(diagnostics_folder(), "/some/log");
+    ::unsetenv("PLACODE_LOG");
+    ::setenv("XDG_DATA_HOME", "/some/where", 1);
+    EXPECT_EQ(diagnostics_folder(), "/some/where/placode/log");
+    ::setenv("XDG_DATA_HOME", "relative", 1);
+    ::setenv("HOME", "/home/ada", 1);
+    EXPECT_EQ(diagnostics_folder(), "/home/ada/.local/share/placode/log");
+    ::unsetenv("HOME");
+    EXPECT_EQ(diagnostics_folder(), "");
+    const fs::path started = fs::current_path();
+    fs::current_path(root);
+    ProgramLog(diagnostics_folder(), "placode").note("started");
+    EXPECT_EQ(read_log(diagnostics_folder()), "");
+    EXPECT_TRUE(fs::is_empty(root)) << "not where the program was started";
+    fs::current_path(started);
+    for (const auto& [name, before] :
+         {std::pair("PLACODE_LOG", log), std::pair("XDG_DATA_HOME", data), std::pair("HOME", home)})
+        before.empty() ? ::unsetenv(name) : ::setenv(name, before.c_str(), 1);
 }
 
 }  // namespace THIS_TEST

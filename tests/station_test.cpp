@@ -77,6 +77,14 @@ TEST(Station, IsReadFromTheFileThatTheEnvironmentNames) {
     setenv("XDG_CONFIG_HOME", "/nowhere", 1);
     EXPECT_EQ(Station::path_of_this_computer(), "/nowhere/placode/station.conf");
     EXPECT_DOUBLE_EQ(Station::of_this_computer().number("arm.scale"), 1) << "no file, no complaint";
+    const char* set = std::getenv("HOME");
+    const std::string before = set != nullptr ? set : "";
+    setenv("XDG_CONFIG_HOME", "relative", 1);
+    setenv("HOME", "/home/ada", 1);
+    EXPECT_EQ(Station::path_of_this_computer(), "/home/ada/.config/placode/station.conf");
+    unsetenv("HOME");
+    EXPECT_EQ(Station::path_of_this_computer(), "");
+    if (set != nullptr) setenv("HOME", before.c_str(), 1);
     unsetenv("XDG_CONFIG_HOME");
 }
 

@@ -55,6 +55,21 @@ TEST_F(UserSettingsTest, AFolderThatCannotBeWrittenCostsOnlyTheMemory) {
     EXPECT_FALSE(load_window_size());
 }
 
+TEST_F(UserSettingsTest, WithoutAHomeNothingLiesWhereTheProgramWasStarted) {
+    const char* set = std::getenv("HOME");
+    const std::string before = set != nullptr ? set : "";
+    const std::filesystem::path started = std::filesystem::current_path();
+    std::filesystem::current_path(folder_);
+    ::setenv("XDG_CONFIG_HOME", "relative", 1);
+    ::unsetenv("HOME");
+    EXPECT_EQ(settings_file("window"), "");
+    save_window_size({900, 600});
+    EXPECT_FALSE(load_window_size());
+    EXPECT_TRUE(std::filesystem::is_empty(folder_));
+    std::filesystem::current_path(started);
+    if (set != nullptr) ::setenv("HOME", before.c_str(), 1);
+}
+
 TEST_F(UserSettingsTest, PicturesGoWhereTheDesktopKeepsThem) {
     ::setenv("HOME", folder_.c_str(), 1);
     EXPECT_EQ(pictures_folder(), folder_);  // no desktop said anything

@@ -8,7 +8,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "ui/attempt/user_settings.h"
+#include "sim/core/user_folders.h"
 
 namespace placode::ui {
 namespace {
@@ -39,7 +39,8 @@ bool motion_wanted_in(const std::filesystem::path& settings) {
 
 bool motion_wanted() {
     if (const char* wish = std::getenv("PLACODE_MOTION")) return std::string(wish) != "0";
-    return motion_wanted_in(config_folder());
+    const std::filesystem::path settings = sim::user_folder(sim::UserFolder::kConfig);
+    return settings.empty() || motion_wanted_in(settings);
 }
 
 }  // namespace placode::ui

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/attempt/user_settings.h"
 
-#include <cstdlib>
 #include <fstream>
 #include <locale>
 #include <string>
 #include <system_error>
 
+#include "sim/core/user_folders.h"
 #include "ui/attempt/arguments.h"
 
 namespace placode::ui {
@@ -15,24 +15,19 @@ namespace placode::ui {
 namespace {
 
 std::filesystem::path home() {
-    const char* set = std::getenv("HOME");
-    return set != nullptr && *set != '\0' ? set : ".";
+    const std::filesystem::path known = sim::home_folder();
+    return known.empty() ? "." : known;
 }
 
 }  // namespace
 
-std::filesystem::path config_folder() {
-    const char* set = std::getenv("XDG_CONFIG_HOME");
-    return set != nullptr && *set != '\0' ? std::filesystem::path(set) : home() / ".config";
-}
-
 std::filesystem::path settings_file(std::string_view name) {
-    return config_folder() / "placode" / name;
+    return sim::user_path(sim::UserFolder::kConfig, std::filesystem::path("placode") / name);
 }
 
 std::filesystem::path pictures_folder() {
     constexpr std::string_view kKey = "XDG_PICTURES_DIR=\"", kHome = "$HOME/";
-    std::ifstream in(config_folder() / "user-dirs.dirs");
+    std::ifstream in(sim::user_path(sim::UserFolder::kConfig, "user-dirs.dirs"));
     for (std::string line; std::getline(in, line);) {
         const size_t end = line.rfind('"');
         if (!line.starts_with(kKey) || end < kKey.size()) continue;

@@ -10,9 +10,7 @@
 
 namespace placode::ui {
 
-/// $XDG_CONFIG_HOME, else ~/.config: where desktop and programs keep their settings.
-[[nodiscard]] std::filesystem::path config_folder();
-/// Path of a file of settings; its folder need not exist.
+/// Path of a file of settings; its folder need not exist. Empty without a home.
 [[nodiscard]] std::filesystem::path settings_file(std::string_view name);
 
 /// Where the desktop keeps the user's pictures (XDG_PICTURES_DIR of user-dirs.dirs); the home

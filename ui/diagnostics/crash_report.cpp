@@ -121,6 +121,7 @@ CrashReport read_report(const fs::path& file) {
 }  // namespace
 
 void report_crashes(const fs::path& folder, LogWord program, const char* version) {
+    if (folder.empty()) return;  // nowhere to keep one
     std::error_code ignored;
     if (fs::create_directories(folder, ignored))
         fs::permissions(folder, fs::perms::owner_all, ignored);

@@ -14,6 +14,8 @@
 #include <memory>
 #include <sstream>
 
+#include "sim/core/user_folders.h"
+
 namespace placode::ui {
 namespace fs = std::filesystem;
 namespace {
@@ -138,20 +140,18 @@ void ProgramLog::note(LogWord what, std::initializer_list<LogField> fields) cons
 }
 
 fs::path diagnostics_folder() {
-    const auto set = [](const char* name) {
-        const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): read at the start
-        return std::string(value != nullptr ? value : "");
-    };
-    if (const std::string chosen = set("PLACODE_LOG"); !chosen.empty()) return chosen;
-    const std::string data = set("XDG_DATA_HOME");
-    const fs::path base = !data.empty() ? fs::path(data) : fs::path(set("HOME")) / ".local/share";
-    return base / "placode" / "log";
+    const char* chosen = std::getenv("PLACODE_LOG");  // NOLINT(concurrency-mt-unsafe)
+    if (chosen != nullptr && *chosen != '\0') return chosen;
+    return sim::user_path(sim::UserFolder::kData, "placode/log");
 }
 
-fs::path log_file(const fs::path& folder) { return folder / "placode.log"; }
+fs::path log_file(const fs::path& folder) {
+    return folder.empty() ? folder : folder / "placode.log";
+}
 
 std::string read_log(const fs::path& folder) {
     std::string text;
+    if (folder.empty()) return text;
     const fs::path file = log_file(folder);
     for (int i = ProgramLog::kOlder; i >= 1; --i) add_file(numbered(file, i), text);
     add_file(file, text);

@@ -63,7 +63,7 @@ class ProgramLog {
 };
 
 /// Where logs and crash reports lie: $PLACODE_LOG, else $XDG_DATA_HOME/placode/log, else the same
-/// in ~/.local/share.
+/// in ~/.local/share. Empty without a home: then there are none.
 [[nodiscard]] std::filesystem::path diagnostics_folder();
 /// "placode.log"; the ones before it end in ".1" to ".3", the oldest last.
 [[nodiscard]] std::filesystem::path log_file(const std::filesystem::path& folder);
