@@ -89,6 +89,7 @@ void Replay::build(const GivenPart& given) {
     if (!at_stage) restore_grips(recording_.header, task.scene.tools);
     frame_s_ = task.scene.solver.frame_s;
     // This scene is ours alone: tunings of the attempt are done again.
+    given_left_.reset();
     scene_ = std::const_pointer_cast<sim::Scene>(sim::build_operative_field(task.scene));
     state_ = std::make_unique<sim::State>(*scene_, threads_);
     sim::settle(*scene_, *state_, task.settle_s);
@@ -129,10 +130,28 @@ void Replay::begin_at_stage(const Task& task, const GivenPart& given) {
     }
     if (!start_.empty() || take_given_state(given)) {
         sim::load_state(*scene_, *state_, start_);
+    } else if (task_) {
+        given_left_.emplace(*scene_, *state_, recording_.given);
+        return;
     } else {
         simulate_given(*scene_, *state_, recording_.given, given.told);
         start_ = sim::save_state(*scene_, *state_);
     }
+    stand_at_stage(task);
+}
+
+bool Replay::step_given() {
+    if (!given_left_) return false;
+    if (given_left_->step()) return true;
+    given_left_.reset();
+    start_ = sim::save_state(*scene_, *state_);
+    stand_at_stage(*task_);
+    return false;
+}
+
+/// What was given is done: whether it is what was recorded.
+void Replay::stand_at_stage(const Task& task) {
+    const auto stage = static_cast<size_t>(recording_.header.stage);
     if (sim::whole_hash(*state_) != recording_.header.given_hash) {
         result_.first_difference_s = 0;
         result_.message = "replay: what was given before stage " + std::to_string(stage) +
@@ -168,6 +187,8 @@ bool Replay::compare() {
 }
 
 bool Replay::step() {
+    while (step_given()) {
+    }
     const auto at = static_cast<size_t>(state_->frame);
     if (differs_ || at >= recording_.inputs.size()) return false;
     const sim::Input& input = recording_.inputs[at];

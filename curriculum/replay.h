@@ -58,9 +58,13 @@ class Replay {
     Replay(const sim::Recording& recording, int threads, size_t key_frame_bytes = 0,
            const GivenPart& given = {});
     /// By this task instead of the one that the recording carries. Does not follow practice():
-    /// whoever asks so has an AttemptFrames.
+    /// whoever asks so has an AttemptFrames. What was given is left to step_given(): until then
+    /// state() is the settled one.
     Replay(const sim::Recording& recording, Task task, int threads);
 
+    /// One frame of what was given before an attempt from a stage, where it is not simulated yet.
+    /// False when nothing of it is left: state() is then the one that the attempt began with.
+    bool step_given();
     /// One frame, compared with the recorded hash where there is one. False when there is nothing
     /// more to simulate: the recording is over, or differs.
     bool step();
@@ -83,6 +87,7 @@ class Replay {
 
     void build(const GivenPart& given);
     void begin_at_stage(const Task& task, const GivenPart& given);
+    void stand_at_stage(const Task& task);
     [[nodiscard]] bool take_given_state(const GivenPart& given);
     void tune();
     bool compare();
@@ -94,6 +99,7 @@ class Replay {
     std::shared_ptr<sim::Scene> scene_;
     std::unique_ptr<sim::State> state_;
     KeyFrames keys_;
+    std::optional<GivenFrames> given_left_;
     std::vector<uint8_t> start_;  // of an attempt from a stage: the state that it began with
     PracticeGuide practice_;
     std::vector<std::pair<double, PracticeGuide>> practice_kept_;  // beside the key frames

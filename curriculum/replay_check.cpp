@@ -64,21 +64,12 @@ bool same(const sim::ToolSpec& a, const sim::ToolSpec& b) {
            a.jaw_force_n == b.jaw_force_n && a.jaw_friction == b.jaw_friction;
 }
 
-/// Steps, samples and events as the attempt had them. Their marks were looked for in the settled
-/// state, also where another one was given.
-AttemptFrames frames_of(const sim::Recording& recording, const Task& published,
-                        const Replay& replay, int threads) {
-    const std::vector<TaskStep> steps = steps_for(published, recording.header.device);
-    const double limit_s = recording.end.duration_s;
+/// The step that the attempt began with; none: the first. Of a stage that the task does not have
+/// the replay says so.
+std::optional<int> first_step(const sim::Recording& recording, const Task& published) {
     const auto stage = static_cast<size_t>(std::max(0, recording.header.stage));
-    // Of a stage that the task does not have the replay says so.
-    if (stage == 0 || stage > published.stages.size())
-        return {published, steps, replay.scene(), replay.state(), limit_s};
-    sim::State settled(replay.scene(), threads);
-    sim::settle(replay.scene(), settled, published.settle_s);
-    AttemptFrames frames(published, steps, replay.scene(), settled, limit_s);
-    frames.begin_at(published.stages[stage - 1].before_step, replay.state());
-    return frames;
+    if (stage == 0 || stage > published.stages.size()) return std::nullopt;
+    return published.stages[stage - 1].before_step;
 }
 
 }  // namespace
@@ -88,7 +79,10 @@ struct ReplayCheck::Impl final : AttemptBook {
     Impl(const sim::Recording& recorded, const Task& published, int threads)
         : recording(recorded),
           replay(recording, published, threads),
-          frames(frames_of(recording, published, replay, threads)),
+          // Marks were looked for in the settled state, also where another one was given.
+          frames(published, steps_for(published, recording.header.device), replay.scene(),
+                 replay.state(), recording.end.duration_s),
+          first(first_step(recording, published)),
           tools(replay.scene().tools.size()) {
         for (const Event& event : recording.events)
             if (!of_the_clock(event.kind)) events.push_back(&event);
@@ -129,6 +123,18 @@ struct ReplayCheck::Impl final : AttemptBook {
         ++next_sample;
     }
 
+    /// One frame of what was given before the attempt; false once it is done.
+    bool step_given() {
+        if (begun) return false;
+        if (replay.step_given()) {
+            ++given;
+            return true;
+        }
+        begun = true;
+        if (first) frames.begin_at(*first, replay.state());
+        return false;
+    }
+
     void compare_frame() {
         const sim::State& state = replay.state();
         const auto& input = recording.inputs[static_cast<size_t>(state.frame - 1)];
@@ -161,7 +167,9 @@ struct ReplayCheck::Impl final : AttemptBook {
     const sim::Recording& recording;
     Replay replay;
     AttemptFrames frames;
-    size_t tools;
+    std::optional<int> first;
+    size_t tools, given = 0;
+    bool begun = false;
     std::vector<const Event*> events;
     size_t next_event = 0, next_sample = 0;
     std::optional<Said> difference;
@@ -173,15 +181,18 @@ ReplayCheck::ReplayCheck(const sim::Recording& recording, const Task& published,
 ReplayCheck::~ReplayCheck() = default;
 
 bool ReplayCheck::step() {
-    if (impl_->difference || !impl_->replay.step()) return false;
+    if (impl_->difference) return false;
+    if (impl_->step_given()) return true;
+    if (!impl_->replay.step()) return false;
     impl_->compare_frame();
     return !impl_->difference;
 }
 
 double ReplayCheck::share() const {
-    const size_t all = impl_->recording.inputs.size();
-    return all == 0 ? 1
-                    : static_cast<double>(impl_->replay.state().frame) / static_cast<double>(all);
+    const sim::Recording& recording = impl_->recording;
+    const size_t all = recording.given.size() + recording.inputs.size();
+    const auto own = impl_->begun ? static_cast<size_t>(impl_->replay.state().frame) : 0;
+    return all == 0 ? 1 : static_cast<double>(impl_->given + own) / static_cast<double>(all);
 }
 
 ReplayVerdict ReplayCheck::verdict() {

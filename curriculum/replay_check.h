@@ -26,9 +26,10 @@ class ReplayCheck {
     ReplayCheck(const sim::Recording& recording, const Task& published, int threads);
     ~ReplayCheck();
 
-    /// One frame; false when nothing is left to simulate or something differs.
+    /// One frame, of an attempt from a stage first those that were given; false when nothing is
+    /// left to simulate or something differs.
     bool step();
-    [[nodiscard]] double share() const;  ///< 0..1 of its frames.
+    [[nodiscard]] double share() const;  ///< 0..1 of all these frames.
     /// Complete when step() was false.
     [[nodiscard]] ReplayVerdict verdict();
 

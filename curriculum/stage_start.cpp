@@ -165,17 +165,25 @@ std::shared_ptr<const StageStart> make_stage_start(const Task& task, uint64_t se
     return expert.result(stage);
 }
 
+bool GivenFrames::step() {
+    if (next_ == given_.size()) {
+        sim::begin_here(scene_, state_);
+        return false;
+    }
+    const sim::Input& input = given_[next_++];
+    const size_t tools = scene_.tools.size();
+    std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
+    state_.substeps = input.substeps;
+    (void)sim::step(scene_, state_, {input.tools, tools}, {feedback.data(), tools});
+    return true;
+}
+
 void simulate_given(const sim::Scene& scene, sim::State& state, std::span<const sim::Input> given,
                     const GivenTold& told) {
-    const size_t tools = scene.tools.size();
-    std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
-    for (size_t i = 0; i < given.size(); ++i) {
-        state.substeps = given[i].substeps;
-        (void)sim::step(scene, state, {given[i].tools, tools}, {feedback.data(), tools});
+    GivenFrames frames(scene, state, given);
+    for (size_t i = 0; frames.step(); ++i)
         if (told && i % static_cast<size_t>(kToldEvery) == 0)
             told(static_cast<double>(i) / static_cast<double>(given.size()), scene, state);
-    }
-    sim::begin_here(scene, state);
 }
 
 }  // namespace placode::curriculum

@@ -53,8 +53,26 @@ using StageWatch = std::function<bool(double share, const sim::Scene&, const sim
 /// Told the share that is simulated, 0..1, and what there is to see.
 using GivenTold = std::function<void(double share, const sim::Scene&, const sim::State&)>;
 
-/// From the settled state of the task's own beginning to the one behind these inputs and
-/// begin_here(). @param told every few frames, with the share that is done; may throw.
+/// What was given, frame by frame, for whoever may stop at any of them: from the settled state of
+/// the task's own beginning to the one behind these inputs and begin_here(). All three outlive it.
+/// @pre the scene is as the task has it, also in the grip of its hands.
+class GivenFrames {
+ public:
+    GivenFrames(const sim::Scene& scene, sim::State& state, std::span<const sim::Input> given)
+        : scene_(scene), state_(state), given_(given) {}
+    /// One frame. False where none was left: then begin_here() is done, and this is not called
+    /// again.
+    bool step();
+
+ private:
+    const sim::Scene& scene_;
+    sim::State& state_;
+    std::span<const sim::Input> given_;
+    size_t next_ = 0;
+};
+
+/// All of them: from the settled state of the task's own beginning to the one behind these inputs
+/// and begin_here(). @param told every few frames, with the share that is done; may throw.
 /// @pre the scene is as the task has it, also in the grip of its hands.
 void simulate_given(const sim::Scene& scene, sim::State& state, std::span<const sim::Input> given,
                     const GivenTold& told = {});

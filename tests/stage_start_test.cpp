@@ -187,6 +187,21 @@ TEST(StageStart, ReplaysExactlyOnOneThreadAndOnTwo) {
     }
 }
 
+TEST(StageStart, ACheckCountsWhatWasGivenFrameByFrameAndMayStopInIt) {
+    const auto given = static_cast<double>(honest().given.size());
+    const double all = given + static_cast<double>(honest().inputs.size());
+    ReplayCheck stopped(honest(), staged_task(), 1);
+    EXPECT_EQ(stopped.share(), 0);
+    for (int i = 0; i < 20; ++i) ASSERT_TRUE(stopped.step());
+    EXPECT_DOUBLE_EQ(stopped.share(), 20 / all);
+    ReplayCheck check(honest(), staged_task(), 1);
+    double steps = 0;
+    for (; check.step(); ++steps) ASSERT_DOUBLE_EQ(check.share(), (steps + 1) / all);
+    EXPECT_EQ(steps, all);
+    const ReplayVerdict verdict = check.verdict();
+    EXPECT_TRUE(verdict.identical) << verdict.difference.english();
+}
+
 TEST(StageStart, AKnownStateIsUsedWhereItIsTheRecordedOneOnly) {
     int told = 0;
     const auto count = [&](double, const sim::Scene&, const sim::State&) { ++told; };
