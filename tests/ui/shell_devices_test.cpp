@@ -39,6 +39,7 @@ class ShellDevicesTest : public QObject {
     void rightHandIsFoundAndSwapped();
     void pedalsAreMapped();
     void settingsAreCheckedAndSaved();
+    void tryingKeepsWhatIsNotSaved();
     void pageIsInPolishAndFits();
     void traineeHasNoSuchPage();
 
@@ -281,6 +282,41 @@ void ShellDevicesTest::settingsAreCheckedAndSaved() {
     QFile file(shell_->path("station.conf"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY2(file.readAll().startsWith("# bench 1\n"), "what somebody wrote stays");
+}
+
+void ShellDevicesTest::tryingKeepsWhatIsNotSaved() {
+    const auto typed = [&](const char* key) {
+        return shell_->find<QLineEdit>(QString("key_%1").arg(key))->text();
+    };
+    const double scale = station().number("arm.scale");
+    QVERIFY(shell_->type("key_arm.scale", "1.75"));
+    QVERIFY(shell_->type("key_haply.force_n", "3.25"));
+    QVERIFY(shell_->type("key_limit.force_n", "2.5"));
+    QVERIFY(shell_->click("try_haply"));
+    for (int again = 0; again < 2; ++again) {
+        QVERIFY(saysIn("arm_status_0", "ready"));
+        QCOMPARE(typed("arm.scale"), QString("1.75"));
+        QCOMPARE(typed("haply.force_n"), QString("3.25"));
+        QCOMPARE(typed("limit.force_n"), QString("2.5"));
+        QCOMPARE(station().number("arm.scale"), scale);
+        // Nor does another language lose it.
+        for (const char* language : {"pl", "en"}) {
+            shell_->context().setLanguage(language);
+            QVERIFY(shell_->arrives(PageId::kDevices));
+        }
+    }
+    // What the force test finds is newer than what stands there unsaved.
+    QVERIFY(waits([&] { return shell_->find<QPushButton>("force_bad")->isEnabled(); }));
+    QVERIFY(shell_->click("force_bad"));
+    QVERIFY(waits([&] { return station().number("limit.force_n") == 0.25; }));
+    QVERIFY(waits([&] { return typed("limit.force_n") == "0.25"; }));
+    QCOMPARE(typed("arm.scale"), QString("1.75"));
+    QVERIFY(shell_->click("save_station"));
+    QVERIFY(shell_->bannerSays("Saved for this computer"));
+    QCOMPARE(station().number("arm.scale"), 1.75);
+    QCOMPARE(station().number("haply.force_n"), 3.25);
+    QCOMPARE(station().number("limit.force_n"), 0.25);
+    QCOMPARE(typed("arm.scale"), QString("1.75"));
 }
 
 void ShellDevicesTest::pageIsInPolishAndFits() {

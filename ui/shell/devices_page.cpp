@@ -187,9 +187,12 @@ class DevicesPage : public Page {
     }
 
     void showStation() {
+        UnsavedSettings unsaved;
+        if (station_place_->count() > 0)
+            unsaved = unsaved_settings(*station_place_->itemAt(0)->widget());
         clear(station_place_);
         station_place_->addWidget(
-            make_station_card(context_, tried_, wishes(), [this] { stationSaved(); }));
+            make_station_card(context_, tried_, unsaved, wishes(), [this] { stationSaved(); }));
     }
 
     void stationSaved() {

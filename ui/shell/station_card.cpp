@@ -60,19 +60,39 @@ QString setting_name(const QString& key) {
     return key;
 }
 
-/// Arms and limits always, the keys of a device while it is tried.
+/// Arms and limits always, the keys of a device while it is tried; what is typed and not saved
+/// stays besides.
 bool wanted(std::string_view key, const QString& tried) {
     if (key.starts_with("arm.") || key.starts_with("limit.")) return true;
     return !tried.isEmpty() && key.starts_with(tried.toStdString() + ".");
 }
 
-QLineEdit* add_setting(QGridLayout* grid, const haptics::StationKey& key, const Station& now) {
+constexpr QLatin1String kKeyPrefix("key_");       // names of fields
+constexpr const char* kOfStation = "of_station";  // what the station file says
+
+/// What somebody has typed for a setting; null: nothing, or it was changed elsewhere meanwhile, as
+/// by the force test.
+const UnsavedSetting* typed_for(const UnsavedSettings& unsaved, std::string_view key,
+                                const Station& now) {
+    const auto found = unsaved.find(std::string(key));
+    return found != unsaved.end() && found->second.of_station == qstr(now.text(key))
+               ? &found->second
+               : nullptr;
+}
+
+QLineEdit* add_setting(QGridLayout* grid, const haptics::StationKey& key, const Station& now,
+                       const UnsavedSetting* typed) {
     const int row = grid->rowCount();
     const QString name = qstr(std::string(key.key)), words = setting_name(name);
     QLabel* label = make_label(words);
     label->setWordWrap(false);
     auto* field = new QLineEdit(qstr(now.text(key.key)));
-    field->setObjectName("key_" + name);
+    field->setObjectName(kKeyPrefix + name);
+    field->setProperty(kOfStation, field->text());
+    if (typed != nullptr) {
+        field->setText(typed->typed);
+        field->setModified(true);  // kept in another language, too
+    }
     keep_choice(field);
     field->setAccessibleName(words);
     field->setMinimumWidth(170);
@@ -100,8 +120,19 @@ bool save_settings(const StationWishes& wishes, const Edits& edits) {
 
 }  // namespace
 
-QFrame* make_station_card(AppContext& context, const QString& tried, const StationWishes& wishes,
-                          const std::function<void()>& saved) {
+UnsavedSettings unsaved_settings(const QWidget& card) {
+    UnsavedSettings unsaved;
+    for (const auto* field : card.findChildren<QLineEdit*>()) {
+        const QString before = field->property(kOfStation).toString(), name = field->objectName();
+        if (name.startsWith(kKeyPrefix) && field->text() != before)
+            unsaved.insert_or_assign(name.mid(kKeyPrefix.size()).toStdString(),
+                                     UnsavedSetting{before, field->text()});
+    }
+    return unsaved;
+}
+
+QFrame* make_station_card(AppContext& context, const QString& tried, const UnsavedSettings& unsaved,
+                          const StationWishes& wishes, const std::function<void()>& saved) {
     auto* layout = new QVBoxLayout;
     layout->setSpacing(kSpace12);
     layout->addWidget(make_label(StationWords::tr("Settings of this computer"), "heading"));
@@ -124,9 +155,11 @@ QFrame* make_station_card(AppContext& context, const QString& tried, const Stati
     grid->setHorizontalSpacing(kSpace16);
     grid->setVerticalSpacing(kSpace8);
     Edits edits;
-    for (const haptics::StationKey& key : haptics::station_keys())
-        if (wanted(key.key, tried))
-            edits.emplace_back(std::string(key.key), add_setting(grid, key, now));
+    for (const haptics::StationKey& key : haptics::station_keys()) {
+        const UnsavedSetting* typed = typed_for(unsaved, key.key, now);
+        if (typed != nullptr || wanted(key.key, tried))
+            edits.emplace_back(std::string(key.key), add_setting(grid, key, now, typed));
+    }
     grid->setColumnStretch(2, 1);
     layout->addLayout(grid);
     QPushButton* save =
