@@ -24,6 +24,7 @@ class ShellCourseTest : public QObject {
 
     void educatorMakesAGroup();
     void editorSaysAtTheFieldWhatIsWrong();
+    void aDoubleClickRemovesOneStage();
     void changesAreUndone();
     void courseIsPublishedAndExported();
     void importedFileBecomesTheNextVersion();
@@ -113,6 +114,35 @@ void ShellCourseTest::editorSaysAtTheFieldWhatIsWrong() {
     QVERIFY(shell.find<QLabel>("problem_stage_max_attempts")->text().contains("fewer"));
     shell.find<QSpinBox>("stage_consecutive")->setValue(1);
     QVERIFY(shell.find<QPushButton>("publish_course")->isEnabled());
+}
+
+void ShellCourseTest::aDoubleClickRemovesOneStage() {
+    ShellHarness& shell = *shell_;
+    auto* list = shell.find<QListWidget>("stage_list");
+    const int before = list->count();
+    for (int i = 0; i < 2; ++i) QVERIFY(shell.click("add_stage"));
+    list->setCurrentRow(before);
+    shell.scrollTo("remove_stage");
+    QVERIFY(QTest::qWaitForWindowExposed(&shell.window()));
+    const auto* remove = shell.find<QPushButton>("remove_stage");
+    // As the pointer presses: the window hears of it first.
+    const auto place = [&] { return remove->mapTo(&shell.window(), remove->rect().center()); };
+    const auto press = [&](const QPoint& at) {
+        QTest::mouseClick(shell.window().windowHandle(), Qt::LeftButton, {}, at);
+        QCoreApplication::processEvents();
+    };
+    const int interval = QApplication::doubleClickInterval();
+    QTest::qWait(interval + 100);
+    QApplication::setDoubleClickInterval(5000);  // also on a slow computer
+    const QPoint at = place();
+    press(at);
+    press(at);
+    QApplication::setDoubleClickInterval(interval);
+    QCOMPARE(list->count(), before + 1);
+    QTest::qWait(interval + 100);
+    press(place());
+    QCOMPARE(list->count(), before);
+    list->setCurrentRow(before - 1);
 }
 
 void ShellCourseTest::changesAreUndone() {

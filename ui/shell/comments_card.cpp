@@ -159,7 +159,7 @@ class CommentsCard : public QFrame {
             row->addWidget(button, 0, Qt::AlignTop);
         }
         if (comment.author_id == context_.user().id) {
-            QPushButton* button = make_button(context_, tr("Remove"), "quiet", "close");
+            QPushButton* button = press_once(make_button(context_, tr("Remove"), "quiet", "close"));
             button->setObjectName(QString("comment_remove_%1").arg(number));
             button->setAccessibleName(tr("Remove remark %1").arg(number));
             connect(button, &QPushButton::clicked, this,

@@ -183,11 +183,11 @@ class CourseEditorPage : public Page {
         });
         up_ = button(tr("Up"), "quiet", "stage_up", {}, [this] { shift(-1); });
         down_ = button(tr("Down"), "quiet", "stage_down", {}, [this] { shift(1); });
-        remove_ = button(tr("Remove"), "quiet", "remove_stage", {}, [this] {
+        remove_ = press_once(button(tr("Remove"), "quiet", "remove_stage", {}, [this] {
             Course course = draft_->course();
             curriculum::remove_stage(course, static_cast<size_t>(list_->currentRow()));
             change(std::move(course));
-        });
+        }));
         layout->addLayout(row);
         connect(list_, &QListWidget::currentRowChanged, this, [this] { showStage(); });
         return make_card(layout);

@@ -32,12 +32,13 @@ bool holds_a_value(QObject* object) {
             qobject_cast<QScrollBar*>(object) == nullptr);
 }
 
-/// A button that nobody means to press twice in half a second; others step through a list.
+/// A button that nobody means to press twice in half a second (press_once()); others step through
+/// a list.
 bool acts_once(const QWidget* pressed) {
     const auto* button = qobject_cast<const QPushButton*>(pressed);
     if (button == nullptr) return false;
     const QString role = button->property("role").toString();
-    return role == "primary" || role == "danger";
+    return role == "primary" || role == "danger" || button->property("once").toBool();
 }
 
 /// Enter that is held presses a button, and submits a form, thirty times a second.

@@ -109,6 +109,11 @@ QPushButton* make_button(const AppContext& context, const QString& text, const c
     return button;
 }
 
+QPushButton* press_once(QPushButton* button) {
+    button->setProperty("once", true);
+    return button;
+}
+
 void set_button_icon(const AppContext& context, QPushButton* button, const QString& icon) {
     if (button->property("icon_name").toString() == icon) return;
     button->setProperty("icon_name", icon);

@@ -34,6 +34,10 @@ namespace placode::ui {
                                        const char* role, const QString& icon = {});
 /// Another icon in the colour of the button's role.
 void set_button_icon(const AppContext& context, QPushButton* button, const QString& icon);
+/// Of two presses of the pointer that were meant as one this button takes the first only, as
+/// primary and danger do by themselves: for one that takes something out of a list, where the next
+/// comes to stand in its place.
+QPushButton* press_once(QPushButton* button);
 /// A raised card; the layout has the card's margins set.
 [[nodiscard]] QFrame* make_card(QLayout* content);
 [[nodiscard]] QFrame* make_rule();
