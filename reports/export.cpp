@@ -15,43 +15,12 @@
 #include "db/whole_file.h"
 #include "reports/formats.h"
 #include "reports/report.h"
+#include "reports/staged_folder.h"
 
 namespace placode::reports {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr fs::perms kOwnerReadsAndWrites = fs::perms::owner_read | fs::perms::owner_write;
-
-/// A folder beside the final place, so that moving is renaming. Gone with everything in it unless
-/// it was emptied.
-class Staging {
- public:
-    explicit Staging(const fs::path& folder) {
-        std::string name = (folder / ".placode-export-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw ReportError("export to " + folder.string() +
-                              ": cannot write there; choose a folder that you may write to");
-        path_ = name;
-    }
-    ~Staging() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Staging(const Staging&) = delete;
-    Staging& operator=(const Staging&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-    fs::path path_;
-};
-
-/// People's answers and attempts, whoever else has an account on this computer: not for them.
-void close_to_others(const fs::path& folder) {
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        fs::permissions(entry.path(),
-                        entry.is_directory() ? fs::perms::owner_all : kOwnerReadsAndWrites);
-}
 
 std::vector<ExportedFile> files_in(const fs::path& folder) {
     std::vector<ExportedFile> files;
@@ -67,22 +36,6 @@ std::vector<ExportedFile> files_in(const fs::path& folder) {
     std::sort(files.begin(), files.end(),
               [](const auto& a, const auto& b) { return a.path < b.path; });
     return files;
-}
-
-/// A folder in the way is refused before anything is moved: it may hold another export.
-void hand_out(const fs::path& staged, const fs::path& folder) {
-    std::vector<fs::path> entries;
-    for (const auto& entry : fs::directory_iterator(staged)) entries.push_back(entry.path());
-    for (const fs::path& entry : entries) {
-        const fs::path target = folder / entry.filename();
-        if (fs::is_directory(target))
-            throw ReportError("export to " + target.string() +
-                              ": is there already; remove it or choose another folder");
-        if (fs::exists(target) && fs::is_directory(entry))
-            throw ReportError("export to " + target.string() +
-                              ": a file is in the way; remove it or choose another folder");
-    }
-    for (const fs::path& entry : entries) fs::rename(entry, folder / entry.filename());
 }
 
 const ExportFormat& format_of(const std::string& name) {
@@ -120,7 +73,7 @@ void save(db::WholeFile& file, const std::string& path, const std::string& bytes
     if (file.open(QIODevice::WriteOnly) && file.write(bytes.data(), size) == size && file.commit())
         return;
     throw ReportError("write " + path + ": " + file.errorString().toStdString() +
-                      "; choose a folder that you may write to");
+                      "; free space or choose a folder that you may write to");
 }
 
 }  // namespace
@@ -158,14 +111,12 @@ const std::vector<ExportFormat>& export_formats() {
 std::vector<ExportedFile> export_dataset(const ExportSource& source, const std::string& format,
                                          const std::string& folder) {
     const ExportFormat& chosen = format_of(format);
-    make_private_folder(folder);
-    const fs::path place = folder;
-    const Staging staging(place);
-    chosen.write(source, staging.path().string());
-    chosen.verify(source, staging.path().string());
-    auto files = files_in(staging.path());
-    close_to_others(staging.path());
-    hand_out(staging.path(), place);
+    std::vector<ExportedFile> files;
+    write_staged(folder, [&](const std::string& staged) {
+        chosen.write(source, staged);
+        chosen.verify(source, staged);
+        files = files_in(staged);
+    });
     return files;
 }
 

@@ -13,6 +13,7 @@
 #include "reports/analysis_parts.h"
 #include "reports/csv_table.h"
 #include "reports/export.h"
+#include "reports/staged_folder.h"
 #include "sim/core/counted.h"
 
 namespace placode::reports {
@@ -159,14 +160,16 @@ std::string analysis_csv(const Analysis& analysis) {
 
 std::vector<std::string> write_analysis(const Analysis& analysis, const std::string& folder,
                                         bool demonstration) {
-    make_private_folder(folder);
-    std::vector<std::string> paths{folder + "/" + analysis.id + "_table.csv"};
-    save_private_file(paths.front(), analysis_csv(analysis));
-    for (const Figure& figure : analysis.figures) {
-        save_figure(figure, folder, demonstration);
-        for (const char* ending : {".svg", ".png", ".csv"})
-            paths.push_back(folder + "/" + file_name(figure.id) + ending);
-    }
+    const std::string table = "/" + analysis.id + "_table.csv";
+    std::vector<std::string> paths{folder + table};
+    write_staged(folder, [&](const std::string& staged) {
+        save_private_file(staged + table, analysis_csv(analysis));
+        for (const Figure& figure : analysis.figures) {
+            save_figure(figure, staged, demonstration);
+            for (const char* ending : {".svg", ".png", ".csv"})
+                paths.push_back(folder + "/" + file_name(figure.id) + ending);
+        }
+    });
     return paths;
 }
 

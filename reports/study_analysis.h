@@ -51,7 +51,8 @@ struct Grouping {
 
 /// The table as CSV, the numbers whole.
 [[nodiscard]] std::string analysis_csv(const Analysis& analysis);
-/// ID.csv and every figure into the folder. Returns the paths. Throws ReportError.
+/// ID_table.csv and every figure into the folder: all of them, or it is as it was. Returns the
+/// paths. Throws ReportError.
 std::vector<std::string> write_analysis(const Analysis& analysis, const std::string& folder,
                                         bool demonstration);
 

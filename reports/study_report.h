@@ -57,7 +57,8 @@ struct StudyReport {
 void write_study_pdf(const StudyReport& report, const std::string& path,
                      const std::function<void(const std::string&)>& progress = {});
 
-/// Every figure as SVG, PNG and CSV. Returns the paths.
+/// Every figure as SVG, PNG and CSV, and numbers.csv: all of them, or the folder is as it was
+/// (staged_folder.h). Returns the paths. Throws ReportError.
 std::vector<std::string> write_study_figures(const StudyReport& report, const std::string& folder);
 
 }  // namespace placode::reports

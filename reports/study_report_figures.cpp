@@ -9,6 +9,7 @@
 #include "reports/analysis_parts.h"
 #include "reports/export.h"
 #include "reports/report.h"
+#include "reports/staged_folder.h"
 #include "reports/study_report_parts.h"
 #include "reports/text.h"
 
@@ -124,16 +125,17 @@ std::vector<Figure> study_figures(const StudyReport& report, const StudyNumbers&
 }
 
 std::vector<std::string> write_study_figures(const StudyReport& report, const std::string& folder) {
-    make_private_folder(folder);
     std::vector<std::string> paths;
     const StudyNumbers numbers = study_numbers(report.data, report.instruments);
-    for (const Figure& figure : study_figures(report, numbers)) {
-        save_figure(figure, folder, report.data.demonstration);
-        for (const char* ending : {".svg", ".png", ".csv"})
-            paths.push_back(folder + "/" + file_name(figure.id) + ending);
-    }
+    write_staged(folder, [&](const std::string& staged) {
+        for (const Figure& figure : study_figures(report, numbers)) {
+            save_figure(figure, staged, report.data.demonstration);
+            for (const char* ending : {".svg", ".png", ".csv"})
+                paths.push_back(folder + "/" + file_name(figure.id) + ending);
+        }
+        save_private_file(staged + "/numbers.csv", study_numbers_csv(numbers));
+    });
     paths.push_back(folder + "/numbers.csv");
-    save_private_file(paths.back(), study_numbers_csv(numbers));
     return paths;
 }
 

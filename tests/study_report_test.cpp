@@ -9,6 +9,7 @@
 #include "reports/study_report.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <QApplication>
@@ -19,6 +20,10 @@
 #include <QStandardPaths>
 #include <QXmlStreamReader>
 #include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "db/standards.h"
 #include "db/study_conduct.h"
@@ -503,6 +508,43 @@ TEST_F(StudyReportTest, ThePassMarkIsTheOneThatJudgedTheAttempts) {
     EXPECT_EQ(report().pass_mark(task), asked.rubric.pass_points) << "it was judged before";
     perform("procedure_2", "2099-01-01T10:00:00.000Z");
     EXPECT_FALSE(report().pass_mark(task)) << "two marks: neither is drawn as the mark";
+}
+
+TEST_F(StudyReportTest, FiguresComeAllOfThemOrNone) {
+    answer_as_the_paper();
+    const reports::StudyReport made = report();
+    const std::string place = folder.file("figures");
+    const auto refused = [&] {
+        try {
+            reports::write_study_figures(made, place);
+        } catch (const reports::ReportError& error) {
+            return std::string(error.what());
+        }
+        return std::string("written");
+    };
+    // A disk that takes no more: no file of this process may be larger.
+    const auto before_signal = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const rlimit small{500, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::string said = refused();
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, before_signal);
+    EXPECT_THAT(said, testing::StartsWith("write " + place + "/flow."));
+    EXPECT_THAT(said, HasSubstr("free space"));
+    EXPECT_FALSE(fs::exists(place)) << "it was made for nothing";
+    // What is in the way of the last file shows before the first is there.
+    fs::create_directories(place + "/numbers.csv");
+    std::ofstream(place + "/flow.svg") << "of last year";
+    EXPECT_THAT(refused(), testing::StartsWith("export to " + place + "/numbers.csv: "));
+    EXPECT_EQ(read_text(place + "/flow.svg"), "of last year");
+    EXPECT_EQ(std::distance(fs::directory_iterator(place), {}), 2);
+    fs::remove(place + "/numbers.csv");
+    EXPECT_EQ(refused(), "written");
+    EXPECT_THAT(read_text(place + "/flow.svg"), HasSubstr("<svg"));
+    for (const auto& entry : fs::directory_iterator(place))
+        EXPECT_NE(entry.path().filename().string()[0], '.') << entry << " is left";
 }
 
 TEST_F(StudyReportTest, EveryFigureIsSvgPngAndDataAndSaysDemonstration) {
