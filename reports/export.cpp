@@ -103,7 +103,7 @@ const std::vector<ExportFormat>& export_formats() {
         {"fhir", "FHIR R4 (Questionnaire, QuestionnaireResponse)", write_fhir, verify_fhir},
         {"odm", "CDISC ODM 1.3.2", write_odm, verify_odm},
         {"xapi", "xAPI statements", write_xapi, verify_xapi},
-        {"motion-bids", "Motion-BIDS (trajectories)", write_motion_bids, verify_motion_bids},
+        {"motion-bids", kMotionBidsTitle, write_motion_bids, verify_motion_bids},
         {"bundle", "All of these with manifest and checksums", write_bundle, verify_bundle}};
     return formats;
 }
@@ -113,8 +113,11 @@ std::vector<ExportedFile> export_dataset(const ExportSource& source, const std::
     const ExportFormat& chosen = format_of(format);
     std::vector<ExportedFile> files;
     write_staged(folder, [&](const std::string& staged) {
+        source.pace.next({chosen.title});
         chosen.write(source, staged);
+        source.pace.next({chosen.title});
         chosen.verify(source, staged);
+        source.pace.next({chosen.title});
         files = files_in(staged);
     });
     return files;
@@ -161,6 +164,7 @@ void write_bundle(const ExportSource& source, const std::string& folder) {
     const std::string root = bundle_folder(source, folder);
     for (const ExportFormat& format : export_formats()) {
         if (format.write == write_bundle) continue;
+        source.pace.next({format.title});
         const std::string part = root + "/" + format.name;
         fs::create_directories(part);
         format.write(source, part);
@@ -176,8 +180,11 @@ void write_bundle(const ExportSource& source, const std::string& folder) {
 
 void verify_bundle(const ExportSource& source, const std::string& folder) {
     const std::string root = bundle_folder(source, folder);
-    for (const ExportFormat& format : export_formats())
-        if (format.write != write_bundle) format.verify(source, root + "/" + format.name);
+    for (const ExportFormat& format : export_formats()) {
+        if (format.write == write_bundle) continue;
+        source.pace.next({format.title});
+        format.verify(source, root + "/" + format.name);
+    }
     if (read_file(root + "/SHA256SUMS") != sums_of(files_in(root)))
         throw ReportError(
             "export bundle: read back, a checksum in SHA256SUMS does not fit; "

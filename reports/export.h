@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reports/dataset.h"
+#include "reports/export_pace.h"
 #include "sim/step/recording.h"
 
 namespace placode::reports {
@@ -20,6 +21,7 @@ using RecordingOf = std::function<std::optional<sim::Recording>(int64_t attempt_
 struct ExportSource {
     Dataset data;
     RecordingOf recording;  ///< For motion-bids and bundle.
+    ExportPace pace = {};   ///< Told and asked before every format, and before every recording.
 };
 
 /// How one format is written and read. Both work in a folder of their own.
@@ -41,8 +43,8 @@ struct ExportedFile {
 };
 
 /// Writes, reads back, compares, hands out. Returns the files, which are for their owner alone
-/// (mode 0600, folders 0700). Files of the same name are replaced. Throws ReportError; the folder
-/// is then as it was.
+/// (mode 0600, folders 0700). Files of the same name are replaced. Throws ReportError, or
+/// ExportStopped where the source's pace said so; the folder is then as it was.
 std::vector<ExportedFile> export_dataset(const ExportSource& source, const std::string& format,
                                          const std::string& folder);
 

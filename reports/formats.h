@@ -10,6 +10,8 @@
 
 namespace placode::reports {
 
+inline constexpr const char* kMotionBidsTitle = "Motion-BIDS (trajectories)";
+
 void write_csv(const ExportSource& source, const std::string& folder);
 void verify_csv(const ExportSource& source, const std::string& folder);
 void write_spss(const ExportSource& source, const std::string& folder);

@@ -208,7 +208,10 @@ void write_motion_bids(const ExportSource& source, const std::string& folder) {
     const std::string root = root_of(source.data, folder);
     fs::create_directories(root);
     std::vector<std::string> without;
-    for (const Place& place : places_of(source.data, root)) {
+    const std::vector<Place> places = places_of(source.data, root);
+    for (size_t i = 0; i < places.size(); ++i) {
+        const Place& place = places[i];
+        source.pace.next({kMotionBidsTitle, i, places.size()});
         const auto recording = source.recording(place.attempt->record.id);
         if (!recording) {
             without.push_back("attempt " + std::to_string(place.attempt->record.id));
@@ -229,7 +232,10 @@ void write_motion_bids(const ExportSource& source, const std::string& folder) {
 
 void verify_motion_bids(const ExportSource& source, const std::string& folder) {
     const std::string root = root_of(source.data, folder);
-    for (const Place& place : places_of(source.data, root)) {
+    const std::vector<Place> places = places_of(source.data, root);
+    for (size_t i = 0; i < places.size(); ++i) {
+        const Place& place = places[i];
+        source.pace.next({kMotionBidsTitle, i, places.size()});
         const auto recording = source.recording(place.attempt->record.id);
         if (!recording) continue;
         const std::string path = place.folder + "/" + place.stem;

@@ -119,11 +119,8 @@ FlowNumbers flow_numbers(const StudyReport& report, const std::string& language)
     return flow;
 }
 
-void write_study_pdf(const StudyReport& report, const std::string& path,
-                     const std::function<void(const std::string&)>& progress) {
-    const auto tell = [&](const std::string& what) {
-        if (progress) progress(what);
-    };
+void write_study_pdf(const StudyReport& report, const std::string& path, const ExportPace& pace) {
+    const auto tell = [&](const std::string& what) { pace.next({what}); };
     tell("numbers");
     const StudyNumbers numbers = study_numbers(report.data, report.instruments);
     tell("figures");
@@ -168,6 +165,7 @@ void write_study_pdf(const StudyReport& report, const std::string& path,
     paper.html("<ul>" + cautions + "</ul>");
     write_data_care(paper, report);
     write_versions(paper, report);
+    tell("pages");
     paper.finish();
 }
 

@@ -4,7 +4,6 @@
 // The report of a study on A4, ready to attach to a paper: methods, flow of participants, tables,
 // figures, what the sample cannot carry, versions.
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,6 +12,7 @@
 #include "db/study_records.h"
 #include "reports/dataset.h"
 #include "reports/dataset_protocols.h"
+#include "reports/export_pace.h"
 #include "reports/figure.h"
 #include "reports/pass_marks.h"
 #include "reports/study_numbers.h"
@@ -53,12 +53,14 @@ struct StudyReport {
                                                 const StudyNumbers& numbers,
                                                 const ChartStyle& style = {});
 
-/// @param progress is told what is being made, may be empty. Needs a QGuiApplication.
+/// Needs a QGuiApplication. Throws ReportError, or ExportStopped where `pace` said so; the file is
+/// then as it was.
 void write_study_pdf(const StudyReport& report, const std::string& path,
-                     const std::function<void(const std::string&)>& progress = {});
+                     const ExportPace& pace = {});
 
 /// Every figure as SVG, PNG and CSV, and numbers.csv: all of them, or the folder is as it was
-/// (staged_folder.h). Returns the paths. Throws ReportError.
-std::vector<std::string> write_study_figures(const StudyReport& report, const std::string& folder);
+/// (staged_folder.h). Returns the paths. Throws ReportError, or ExportStopped before any figure.
+std::vector<std::string> write_study_figures(const StudyReport& report, const std::string& folder,
+                                             const ExportPace& pace = {});
 
 }  // namespace placode::reports

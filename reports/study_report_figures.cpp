@@ -124,11 +124,13 @@ std::vector<Figure> study_figures(const StudyReport& report, const StudyNumbers&
     return figures;
 }
 
-std::vector<std::string> write_study_figures(const StudyReport& report, const std::string& folder) {
+std::vector<std::string> write_study_figures(const StudyReport& report, const std::string& folder,
+                                             const ExportPace& pace) {
     std::vector<std::string> paths;
     const StudyNumbers numbers = study_numbers(report.data, report.instruments);
     write_staged(folder, [&](const std::string& staged) {
         for (const Figure& figure : study_figures(report, numbers)) {
+            pace.next({figure.title});
             save_figure(figure, staged, report.data.demonstration);
             for (const char* ending : {".svg", ".png", ".csv"})
                 paths.push_back(folder + "/" + file_name(figure.id) + ending);

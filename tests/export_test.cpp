@@ -74,6 +74,32 @@ TEST_F(Export, EveryFormatIsWrittenAndReadBack) {
     }
 }
 
+TEST_F(Export, OneThatIsStoppedHandsOutNothing) {
+    for (const auto& format : reports::export_formats()) {
+        auto paced = source();
+        int parts = 0;
+        size_t recordings = 0;
+        paced.pace.progress = [&](const reports::ExportPart& part) {
+            ++parts;
+            recordings += part.all;
+            EXPECT_FALSE(part.name.empty()) << format.name;
+            EXPECT_LE(part.done, part.all) << format.name;
+        };
+        EXPECT_FALSE(export_dataset(paced, format.name, out(format.name)).empty());
+        EXPECT_GE(parts, 3) << format.name << ": before, between, before it is handed out";
+        const bool has_recordings =
+            format.write == reports::write_motion_bids || format.write == reports::write_bundle;
+        EXPECT_EQ(recordings, has_recordings ? 2U : 0U) << format.name << ": written and read back";
+        for (int at = 1; at <= parts; ++at) {
+            int asked = 0;
+            paced.pace = {[&] { return ++asked == at; }, {}};
+            EXPECT_THROW(export_dataset(paced, format.name, out("stopped")), reports::ExportStopped)
+                << format.name << ", " << at;
+            EXPECT_FALSE(fs::exists(out("stopped"))) << format.name << ", " << at;
+        }
+    }
+}
+
 TEST_F(Export, AFileThatDiffersFromTheStoreIsNotHandedOut) {
     for (const auto& format : reports::export_formats()) {
         if (std::string(format.name) == "bundle" || std::string(format.name) == "motion-bids")

@@ -294,8 +294,9 @@ TEST_F(StudyReportTest, ThePdfHoldsMethodsFlowTablesAndVersions) {
     add_attempts();
     const QString path = QString::fromStdString(folder.file("study.pdf"));
     std::vector<std::string> told;
-    reports::write_study_pdf(report(), path.toStdString(),
-                             [&](const std::string& what) { told.push_back(what); });
+    reports::write_study_pdf(
+        report(), path.toStdString(),
+        {{}, [&](const reports::ExportPart& part) { told.push_back(part.name); }});
     EXPECT_GE(told.size(), 3u) << "progress is told";
     if (qEnvironmentVariableIsSet("PLACODE_SCREENSHOTS"))
         QFile::copy(path, qEnvironmentVariable("PLACODE_SCREENSHOTS") + "/study.pdf");
@@ -545,6 +546,21 @@ TEST_F(StudyReportTest, FiguresComeAllOfThemOrNone) {
     EXPECT_THAT(read_text(place + "/flow.svg"), HasSubstr("<svg"));
     for (const auto& entry : fs::directory_iterator(place))
         EXPECT_NE(entry.path().filename().string()[0], '.') << entry << " is left";
+}
+
+TEST_F(StudyReportTest, WhatIsStoppedLeavesWhatWasThere) {
+    answer_as_the_paper();
+    const reports::StudyReport made = report();
+    const std::string pdf = folder.file("study.pdf"), place = folder.file("figures");
+    std::ofstream(pdf) << "of last year";
+    int asked = 0;
+    const reports::ExportPace third{[&] { return ++asked == 3; }, {}};
+    EXPECT_THROW(reports::write_study_pdf(made, pdf, third), reports::ExportStopped);
+    EXPECT_EQ(read_text(pdf), "of last year");
+    asked = 0;
+    EXPECT_THROW(reports::write_study_figures(made, place, third), reports::ExportStopped);
+    EXPECT_EQ(asked, 3);
+    EXPECT_FALSE(fs::exists(place));
 }
 
 TEST_F(StudyReportTest, EveryFigureIsSvgPngAndDataAndSaysDemonstration) {

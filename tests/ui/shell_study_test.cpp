@@ -12,6 +12,7 @@
 #include <QRadioButton>
 #include <QSlider>
 
+#include "all_threads_taken.h"
 #include "curriculum/questionnaire.h"
 #include "curriculum/study.h"
 #include "db/study_conduct.h"
@@ -48,6 +49,7 @@ class ShellStudyTest : public QObject {
     void aProcedureIsDoneAgainForAReason();
     void coordinatorSeesWhereEveryoneStands();
     void reportAndExportComeOut();
+    void whatIsCancelledWritesNothing();
     void whatLeavesIsInTheTrailWhereverItsOwnerGoes();
 
  private:
@@ -644,6 +646,35 @@ void ShellStudyTest::reportAndExportComeOut() {
     QVERIFY(press("study_report"));
     QVERIFY(shell.bannerSays("study.pdf", 60));
     QVERIFY(QFileInfo(shell.save_as).size() > 5000);
+}
+
+void ShellStudyTest::whatIsCancelledWritesNothing() {
+    ShellHarness& shell = *shell_;
+    const auto shows = [&](const QString& name) {
+        const auto* button = shell.find<QPushButton>(name);
+        return button != nullptr && button->isVisible();
+    };
+    const auto cancels = [&](const QString& name) {
+        shell.save_as = shell.path("cancelled");
+        {
+            // As if it took as long as of a large study.
+            AllThreadsTaken taken(shell.context().workers());
+            if (!shell.click(name) || shows(name) || !shell.click("cancel_export")) return false;
+            if (shell.find<QPushButton>("cancel_export")->isEnabled()) return false;
+        }
+        return QTest::qWaitFor([&] { return !shell.context().busy(); }, 60000) &&
+               shell.bannerSays("nothing was written") && shows(name) && !shows("cancel_export") &&
+               !QFileInfo::exists(shell.save_as);
+    };
+    QVERIFY(cancels("study_export"));
+    QVERIFY(cancels("study_report"));
+    const Place studies{PageId::kStudies, 0, {}, {{"study", kStudy}}};
+    shell.window().open({PageId::kStudyResults, 0, {}, {{"study", kStudy}}});
+    QVERIFY(shell.arrives(PageId::kStudyResults));
+    QVERIFY(QTest::qWaitFor([&] { return !shell.context().busy(); }, 60000));
+    QVERIFY(cancels("save_results"));
+    shell.window().open(studies);
+    QVERIFY(shell.arrives(PageId::kStudies));
 }
 
 bool ShellStudyTest::pressAndLeave(const QString& name) {

@@ -123,9 +123,11 @@ int report_study(const Context& context, const ReportOptions& options) {
     const auto report = reports::read_study_report(session.store(), options.id, options.language);
     session.store().audit().write(session.actor(), "report.study", "study " + options.id,
                                   options.out);
-    reports::write_study_pdf(report, options.out, [](const std::string& what) {
-        if (isatty(STDERR_FILENO) != 0) std::cerr << "making: " << what << '\n';
-    });
+    const reports::ExportPace pace{{}, [](const reports::ExportPart& part) {
+                                       if (isatty(STDERR_FILENO) != 0)
+                                           std::cerr << "making: " << part.name << '\n';
+                                   }};
+    reports::write_study_pdf(report, options.out, pace);
     const auto files = reports::write_study_figures(report, figures_folder(options));
     print(context,
           {{"study", options.id},

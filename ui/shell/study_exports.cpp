@@ -6,11 +6,13 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <memory>
+#include <optional>
 #include <tuple>
 
 #include "reports/export.h"
 #include "reports/study_report.h"
 #include "reports/words.h"
+#include "ui/shell/export_buttons.h"
 #include "ui/shell/export_folder.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/study_parts.h"
@@ -53,12 +55,15 @@ class StudyExports : public QWidget {
         // Most have no right to it: the field is there for who has.
         identifying_->setVisible(context_.may(db::Action::kViewPersonalData, db::Scope::kOther));
         row->addWidget(identifying_);
-        button(row, tr("Export"), "secondary", "download", "study_export", [this, format] {
-            exportAs(format->currentData().toString());
-        })->setEnabled(may);
-        button(row, tr("Report"), "secondary", "report", "study_report", [this] {
-            report();
-        })->setEnabled(may);
+        buttons_.emplace(context, page_, row);
+        for (QPushButton* each :
+             {button(row, tr("Export"), "secondary", "download", "study_export",
+                     [this, format] { exportAs(format->currentData().toString()); }),
+              button(row, tr("Report"), "secondary", "report", "study_report",
+                     [this] { report(); })}) {
+            each->setEnabled(may);
+            buttons_->add(each);
+        }
     }
 
  private:
@@ -67,6 +72,15 @@ class StudyExports : public QWidget {
         QPushButton* made = make_action(context_, this, text, role, icon, name, work);
         row->addWidget(made);
         return made;
+    }
+
+    static QString exportWords(const reports::ExportPart& part) {
+        const QString name = QCoreApplication::translate("ExportFormat", part.name.c_str());
+        return part.all == 0 ? tr("Exporting the study: %1").arg(name)
+                             : tr("Exporting the study: %1, recording %2 of %3")
+                                   .arg(name)
+                                   .arg(part.done + 1)
+                                   .arg(part.all);
     }
 
     void exportAs(const QString& format) {
@@ -84,27 +98,30 @@ class StudyExports : public QWidget {
                             .arg(kShortestReason));
             }))
             return;
-        auto count = std::make_shared<size_t>(0);
+        const auto run = buttons_->begin();
         context_.background(
             this, tr("Exporting the study"),
-            [study = study_, language = context_.language().toStdString(),
-             format = format.toStdString(), folder = folder.toStdString(),
-             reason = reason.toStdString(), login = context_.user().login,
-             count](db::Store& store) {
-                const reports::ExportSource source{
-                    reports::study_dataset(store, study, {!reason.empty(), language}),
-                    reports::recordings_of(store)};
-                // Before the first file: nothing leaves without its entry, whatever becomes of the
-                // page.
-                store.audit().write(
-                    login, "export." + format, "study " + study,
-                    folder + (reason.empty() ? "" : "; WITH IDENTIFYING FIELDS: " + reason));
-                *count = reports::export_dataset(source, format, folder).size();
+            [run, pace = buttons_->paceOf(run, exportWords), study = study_,
+             language = context_.language().toStdString(), format = format.toStdString(),
+             folder = folder.toStdString(), reason = reason.toStdString(),
+             login = context_.user().login](db::Store& store) {
+                run->run([&] {
+                    pace.next({format});
+                    const reports::ExportSource source{
+                        reports::study_dataset(store, study, {!reason.empty(), language}),
+                        reports::recordings_of(store), pace};
+                    // Before the first file: nothing leaves without its entry, whatever becomes of
+                    // the page.
+                    store.audit().write(
+                        login, "export." + format, "study " + study,
+                        folder + (reason.empty() ? "" : "; WITH IDENTIFYING FIELDS: " + reason));
+                    run->files = reports::export_dataset(source, format, folder).size();
+                });
             },
-            [this, folder, count](bool done) {
-                if (!done) return;
+            [this, folder, run](bool done) {
+                if (!buttons_->ended(*run) || !done) return;
                 Q_EMIT page_.written(tr("%n file(s), read back and compared with the store: %1",
-                                        nullptr, static_cast<int>(*count))
+                                        nullptr, static_cast<int>(run->files))
                                          .arg(folder),
                                      folder);
             });
@@ -117,25 +134,32 @@ class StudyExports : public QWidget {
         if (!context_.guard(tr("Making the report"),
                             [&] { context_.require(db::Action::kExportStudy); }))
             return;
+        const auto run = buttons_->begin();
+        const auto words = [](const reports::ExportPart& part) {
+            return tr("Making the report: %1").arg(qstr(part.name));
+        };
         context_.background(
             this, tr("Making the report"),
-            [study = study_, language = context_.language().toStdString(),
-             path = path.toStdString(), login = context_.user().login,
-             context = &context_](db::Store& store) {
-                const auto report = reports::read_study_report(store, study, language);
-                store.audit().write(login, "report.study", "study " + study, path);
-                reports::write_study_pdf(report, path, [context](const std::string& what) {
-                    Q_EMIT context->busyChanged(tr("Making the report: %1").arg(qstr(what)));
+            [run, pace = buttons_->paceOf(run, words), study = study_,
+             language = context_.language().toStdString(), path = path.toStdString(),
+             login = context_.user().login](db::Store& store) {
+                run->run([&] {
+                    pace.next({"data"});
+                    const auto report = reports::read_study_report(store, study, language);
+                    store.audit().write(login, "report.study", "study " + study, path);
+                    reports::write_study_pdf(report, path, pace);
                 });
             },
-            [this, path](bool done) {
-                if (done) Q_EMIT page_.written(tr("Report written: %1").arg(path), path);
+            [this, path, run](bool done) {
+                if (buttons_->ended(*run) && done)
+                    Q_EMIT page_.written(tr("Report written: %1").arg(path), path);
             });
     }
 
     AppContext& context_;
     Page& page_;
     std::string study_;
+    std::optional<ExportButtons> buttons_;
     QLineEdit* identifying_ = nullptr;  ///< Why names may leave; empty = they do not.
 };
 

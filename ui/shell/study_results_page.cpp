@@ -7,10 +7,13 @@
 #include <QHBoxLayout>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "reports/attempt_counts.h"
+#include "reports/staged_folder.h"
 #include "reports/study_analysis.h"
 #include "ui/shell/analysis_table.h"
+#include "ui/shell/export_buttons.h"
 #include "ui/shell/export_folder.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -125,6 +128,8 @@ class StudyResultsPage : public Page {
         save_->setObjectName("save_results");
         connect(save_, &QPushButton::clicked, this, [this] { save(); });
         row->addWidget(save_);
+        saving_.emplace(context_, *this, row);
+        saving_->add(save_);
         return row;
     }
 
@@ -231,37 +236,48 @@ class StudyResultsPage : public Page {
         const QString parent = context_.askFolder(this, tr("Save into this folder"));
         if (parent.isEmpty()) return;
         const QString folder = export_folder(parent, qstr(study_) + "-results");
-        auto count = std::make_shared<size_t>(0);
-        AppContext* context = &context_;
+        const auto run = saving_->begin();
+        const auto words = [](const reports::ExportPart& part) {
+            return tr("Saving: %1").arg(qstr(part.name));
+        };
         context_.background(
             this, tr("Saving figures and tables"),
-            [=, report = report_, by = by_.toStdString(), study = study_,
+            [run, pace = saving_->paceOf(run, words), folder = folder.toStdString(),
+             report = report_, by = by_.toStdString(), study = study_,
              login = context_.user().login](db::Store& store) {
-                const auto tell = [context](const QString& what) {
-                    Q_EMIT context->busyChanged(tr("Saving: %1").arg(what));
-                };
-                const std::string path = folder.toStdString();
-                // Before the first file: nothing leaves without its entry, whatever becomes of the
-                // page.
-                store.audit().write(login, "report.figures", "study " + study, path);
-                tell(tr("Figures"));
-                *count = reports::write_study_figures(report, path).size();
-                for (const reports::Analysis& each :
-                     {reports::construct_validity(report, by), reports::test_retest(report),
-                      reports::learning_curves(report),
-                      reports::rater_agreement(report, store.reviews().ratings(kRatersForm),
-                                               curriculum::load_questionnaire(kRatersForm))}) {
-                    if (!each.problem.empty()) continue;
-                    tell(qstr(each.title));
-                    *count += reports::write_analysis(each, path, report.data.demonstration).size();
-                }
+                run->run([&] {
+                    pace.next({"figures"});
+                    // Before the first file: nothing leaves without its entry, whatever becomes of
+                    // the page.
+                    store.audit().write(login, "report.figures", "study " + study, folder);
+                    reports::write_staged(folder, [&](const std::string& staged) {
+                        run->files = writeAll(store, report, by, staged, pace);
+                    });
+                });
             },
-            [this, folder, count](bool done) {
-                if (!done) return;
+            [this, folder, run](bool done) {
+                if (!saving_->ended(*run) || !done) return;
                 Q_EMIT written(
-                    tr("%n file(s) written: %1", nullptr, static_cast<int>(*count)).arg(folder),
+                    tr("%n file(s) written: %1", nullptr, static_cast<int>(run->files)).arg(folder),
                     folder);
             });
+    }
+
+    /// Returns how many files. Throws ExportStopped.
+    static size_t writeAll(db::Store& store, const reports::StudyReport& report,
+                           const std::string& by, const std::string& folder,
+                           const reports::ExportPace& pace) {
+        size_t files = reports::write_study_figures(report, folder, pace).size();
+        for (const reports::Analysis& each :
+             {reports::construct_validity(report, by), reports::test_retest(report),
+              reports::learning_curves(report),
+              reports::rater_agreement(report, store.reviews().ratings(kRatersForm),
+                                       curriculum::load_questionnaire(kRatersForm))}) {
+            if (!each.problem.empty()) continue;
+            pace.next({each.title});
+            files += reports::write_analysis(each, folder, report.data.demonstration).size();
+        }
+        return files;
     }
 
     std::vector<std::string> ids_;
@@ -269,6 +285,7 @@ class StudyResultsPage : public Page {
     QString view_, by_;
     QVBoxLayout* body_ = nullptr;
     QPushButton* save_ = nullptr;
+    std::optional<ExportButtons> saving_;
     reports::StudyReport report_;
 };
 

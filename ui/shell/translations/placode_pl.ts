@@ -4749,6 +4749,14 @@
         <translation>Eksportowanie badania</translation>
     </message>
     <message>
+        <source>Exporting the study: %1</source>
+        <translation>Eksportowanie badania: %1</translation>
+    </message>
+    <message>
+        <source>Exporting the study: %1, recording %2 of %3</source>
+        <translation>Eksportowanie badania: %1, nagranie %2 z %3</translation>
+    </message>
+    <message>
         <source>Save the report</source>
         <translation>Zapisz raport</translation>
     </message>
@@ -10089,6 +10097,17 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Metrics: %1, without evidence: %2. A metric without evidence should weigh nothing in a rubric: take its line out, publish the rubric's next version and score the attempts again.</source>
         <translation>Miary: %1, bez potwierdzenia: %2. Miara bez potwierdzenia nie powinna nic ważyć w kryteriach: usuń jej wiersz, opublikuj następną wersję kryteriów i oceń próby ponownie.</translation>
+    </message>
+</context>
+<context>
+    <name>ExportButtons</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was written.</source>
+        <translation>Przerwano; niczego nie zapisano.</translation>
     </message>
 </context>
 <context>
