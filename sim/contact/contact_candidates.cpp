@@ -75,14 +75,9 @@ class PatchGroups {
     std::array<Float4, 2 * kMostPatchVertices / kPatchGroup + 1> ball_;
 };
 
-}  // namespace
-
-void collect_candidates(const Scene& scene, State& state) noexcept {
-    ContactSet& set = state.scratch->contacts;
-    set.candidate_count = set.most_contacts = 0;
-    set.near.fill(0);
-    // Every other frame is enough: the boxes of the frame before are too small by what the tissue
-    // may have moved since.
+/// The boxes of the surface around the tissue as it is. Every other frame is enough: returns how
+/// much too small those of the frame before are by what the tissue may have moved since [m].
+double refit_surface(State& state) noexcept {
     const bool refit = state.frame % 2 == 0 || state.colour.fitted != state.surface.version();
     if (refit && !state.sleep.still()) {
         if (state.sleep.enabled())
@@ -91,63 +86,102 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
             state.surface.refit(state.body.x);
         state.colour.fitted = state.surface.version();
     }
-    const double stale = refit ? 0 : kTissueReach;
-    spread_jaws(scene, state);
-    const auto triangles = state.surface.triangles();
-    std::optional<PatchGroups> groups;
-    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
-        const ToolState& tool = state.tools[t];
-        if (!tool.engaged) continue;
-        const ToolShape& shape = set.shapes[t];
-        const Pose to_tool = tool.proxy.inverse();
-        // To the hand and back, and as far as the tissue's last push; near tissue never faster than
-        // kStepOfRadius allows.
-        const double to_hand = (tool.hand.p - tool.proxy.p).norm();
-        const double push = tool.substep_force_n.norm() / scene.tools[t].hand_n_m;
-        const double path =
-            std::min(2 * (to_hand + push) + kTremor,
-                     to_hand + kStepOfRadius * shape.parts[0].near_radius_m * state.substeps);
-        const double limit = scene.contact.margin_m + std::min(path, kFreeStep) + kTissueReach;
-        // A ball around box or triangle: the distance changes by no more than the way.
-        const auto reach = [&](const std::array<int32_t, 3>& v, int number,
-                               double within) noexcept {
-            const Vec3 a = position(state.body, v[0]), b = position(state.body, v[1]),
-                       c = position(state.body, v[2]);
-            const Vec3 centre = (a + b + c) / 3;
-            const double radius =
-                std::sqrt(std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(),
-                                    (c - centre).squaredNorm()}));
-            const Vec3 centre_T = to_tool * centre;
-            const double distance = distance_value(shape, centre_T);
-            if (distance > within + radius) return;
-            if (set.candidate_count == static_cast<int>(set.candidates.size())) {
-                state.flags |= kContactsDropped;
-                return;
-            }
-            set.near[t] = 1;
-            const Vec3f p = centre_T.cast<float>();
-            set.start[set.candidate_count] = {p.x(), p.y(), p.z(), static_cast<float>(distance)};
-            set.candidates[set.candidate_count++] = number * 4 + t;
-        };
-        state.surface.tree().walk(
+    return refit ? 0 : kTissueReach;
+}
+
+/// How near to an instrument tissue has to be to meet it within this frame [m].
+double reach_in_frame(const Scene& scene, const State& state, int t) noexcept {
+    const ToolState& tool = state.tools[t];
+    const ToolShape& shape = state.scratch->contacts.shapes[t];
+    // To the hand and back, and as far as the tissue's last push; near tissue never faster than
+    // kStepOfRadius allows.
+    const double to_hand = (tool.hand.p - tool.proxy.p).norm();
+    const double push = tool.substep_force_n.norm() / scene.tools[t].hand_n_m;
+    const double path =
+        std::min(2 * (to_hand + push) + kTremor,
+                 to_hand + kStepOfRadius * shape.parts[0].near_radius_m * state.substeps);
+    return scene.contact.margin_m + std::min(path, kFreeStep) + kTissueReach;
+}
+
+/// Puts the triangles that one instrument can meet into the set.
+class ToolCandidates {
+ public:
+    ToolCandidates(State& state, int tool) noexcept
+        : state_(state),
+          set_(state.scratch->contacts),
+          shape_(set_.shapes[tool]),
+          to_tool_(state.tools[tool].proxy.inverse()),
+          tool_(tool) {}
+
+    /// @param stale of refit_surface().
+    void add_tissue(double limit, double stale) noexcept {
+        const auto triangles = state_.surface.triangles();
+        state_.surface.tree().walk(
             [&](const SurfaceTree::Box& box) noexcept {
                 const Vec3 low(box.low[0], box.low[1], box.low[2]);
                 const Vec3 high(box.high[0], box.high[1], box.high[2]);
                 const double radius = 0.5 * (high - low).norm() + stale;
-                const Vec3 centre_T = to_tool * (0.5 * (low + high));
-                return distance_value(shape, centre_T) > limit + radius;
+                const Vec3 centre_T = to_tool_ * (0.5 * (low + high));
+                return distance_value(shape_, centre_T) > limit + radius;
             },
-            [&](int i) noexcept { reach(triangles[i].vertex, i, limit); });
-        if (!scene.patch) continue;
-        const double patch_limit = limit + scene.patch->thickness_m / 2;
-        if (!groups) groups.emplace(*scene.patch, state);
-        const int count = static_cast<int>(scene.patch->triangles.size());
-        for (int g = 0; g < groups->count(); ++g) {
-            const double distance = distance_value(shape, to_tool * groups->centre(g));
-            if (groups->beyond(g, distance, patch_limit)) continue;
+            [&](int i) noexcept { add(triangles[i].vertex, i, limit); });
+    }
+
+    void add_patch(const Patch& patch, const PatchGroups& groups, double limit) noexcept {
+        const int count = static_cast<int>(patch.triangles.size());
+        for (int g = 0; g < groups.count(); ++g) {
+            const double distance = distance_value(shape_, to_tool_ * groups.centre(g));
+            if (groups.beyond(g, distance, limit)) continue;
             for (int i = kPatchGroup * g; i < std::min(kPatchGroup * (g + 1), count); ++i)
-                reach(scene.patch->triangles[i].vertex, kPatchCandidate + i, patch_limit);
+                add(patch.triangles[i].vertex, kPatchCandidate + i, limit);
         }
+    }
+
+ private:
+    /// A ball around box or triangle: the distance changes by no more than the way.
+    void add(const std::array<int32_t, 3>& v, int number, double within) noexcept {
+        const Vec3 a = position(state_.body, v[0]), b = position(state_.body, v[1]),
+                   c = position(state_.body, v[2]);
+        const Vec3 centre = (a + b + c) / 3;
+        const double radius = std::sqrt(std::max(
+            {(a - centre).squaredNorm(), (b - centre).squaredNorm(), (c - centre).squaredNorm()}));
+        const Vec3 centre_T = to_tool_ * centre;
+        const double distance = distance_value(shape_, centre_T);
+        if (distance > within + radius) return;
+        if (set_.candidate_count == static_cast<int>(set_.candidates.size())) {
+            state_.flags |= kContactsDropped;
+            return;
+        }
+        set_.near[tool_] = 1;
+        const Vec3f p = centre_T.cast<float>();
+        set_.start[set_.candidate_count] = {p.x(), p.y(), p.z(), static_cast<float>(distance)};
+        set_.candidates[set_.candidate_count++] = number * 4 + tool_;
+    }
+
+    State& state_;
+    ContactSet& set_;
+    const ToolShape& shape_;
+    const Pose to_tool_;
+    const int tool_;
+};
+
+}  // namespace
+
+void collect_candidates(const Scene& scene, State& state) noexcept {
+    ContactSet& set = state.scratch->contacts;
+    set.candidate_count = set.most_contacts = 0;
+    set.near.fill(0);
+    const double stale = refit_surface(state);
+    spread_jaws(scene, state);
+    std::optional<PatchGroups> groups;
+    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
+        if (!state.tools[t].engaged) continue;
+        ToolCandidates candidates(state, t);
+        const double limit = reach_in_frame(scene, state, t);
+        candidates.add_tissue(limit, stale);
+        if (!scene.patch) continue;
+        if (!groups) groups.emplace(*scene.patch, state);
+        candidates.add_patch(*scene.patch, *groups, limit + scene.patch->thickness_m / 2);
     }
 }
 
