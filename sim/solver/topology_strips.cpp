@@ -19,38 +19,46 @@ struct CornerConstants {
     float stiffness = 0, rest = 0;
 };
 
-/// Writes strip and constants of a vertex into its lane.
-void rebuild(SoftBodyState& state, Topology& topology, int32_t v) noexcept {
-    KernelLayout& packed = topology.packed;
-    std::array<LinkTriangle, kMostAround> link;
+/// The link of a vertex, and of each of its triangles the constants of the tet.
+struct CutLink {
+    std::array<LinkTriangle, kMostAround> triangle;
     std::array<CornerConstants, kMostAround> constants;
-    size_t n = 0;
+    size_t count = 0;
+};
+
+/// Calls `visit` with every living tet around v and v's corner of it, always in the same order.
+template <class Visit>
+void each_living(const SoftBodyState& state, const Topology& topology, int32_t v,
+                 const Visit& visit) noexcept {
     for (int i = 0; i < topology.count[as_index(v)]; ++i) {
         const int32_t t = topology.around[as_index(topology.first[as_index(v)] + i)];
         if (state.tet_alive[as_index(t)] == 0) continue;
+        visit(t, corner_of(topology.tets[as_index(t)], v));
+    }
+}
+
+void read_link(const SoftBodyState& state, const Topology& topology, int32_t v,
+               CutLink& link) noexcept {
+    each_living(state, topology, v, [&](int32_t t, size_t k) noexcept {
         const auto& tet = topology.tets[as_index(t)];
-        const size_t k = corner_of(tet, v);
         const auto& o = kOpposite[k];
-        link[n] = {{tet[as_index(o[0])], tet[as_index(o[1])], tet[as_index(o[2])]},
-                   static_cast<int32_t>(n)};
-        const int64_t lane = packed.corner_lane[4 * as_index(t) + k];
-        constants[n] = {state.lanes[as_index(lane)],
-                        std::abs(state.lanes[as_index(lane + kLanes)])};
-        ++n;
-    }
-    BoundedStrip strip;
-    strip.build({link.data(), n});
+        link.triangle[link.count] = {
+            {tet[as_index(o[0])], tet[as_index(o[1])], tet[as_index(o[2])]},
+            static_cast<int32_t>(link.count)};
+        const int64_t lane = topology.packed.corner_lane[4 * as_index(t) + k];
+        link.constants[link.count] = {state.lanes[as_index(lane)],
+                                      std::abs(state.lanes[as_index(lane + kLanes)])};
+        ++link.count;
+    });
+}
+
+/// The first `steps` of a strip into the lane of v, nothing behind them.
+void write_steps(SoftBodyState& state, Topology& topology, int32_t v, const BoundedStrip& strip,
+                 int32_t steps, const CutLink& link) noexcept {
+    KernelLayout& packed = topology.packed;
     const int32_t slot = packed.slot[as_index(v)];
-    VertexBatch& b = packed.batches[as_index(slot / kLanes)];
+    const VertexBatch& b = packed.batches[as_index(slot / kLanes)];
     const size_t lane = as_index(slot % kLanes);
-    if (strip.size() > topology.capacity[as_index(slot / kLanes)]) {
-        ++topology.refused;  // the vertex keeps what fits; tests show that this does not happen
-        state.flags |= kCutRefused;
-    }
-    const auto nowhere = static_cast<int32_t>(state.lanes.size()) - 2 * kLanes;
-    const int32_t steps = std::min<int32_t>(static_cast<int32_t>(strip.size()),
-                                            topology.capacity[as_index(slot / kLanes)]);
-    b.steps = std::max(b.steps, steps);
     float* row = state.lanes.data() + b.lane_start + lane;
     const auto bit = static_cast<uint16_t>(1U << lane);
     const auto self = static_cast<uint16_t>(2 * (v - b.base));
@@ -67,23 +75,38 @@ void rebuild(SoftBodyState& state, Topology& topology, int32_t v) noexcept {
         if (step.keep) keep = static_cast<uint16_t>(keep | bit);
         if (step.tet < 0) continue;
         // Step.tet counts living tets around v: find which one this is.
-        const CornerConstants& c = constants[as_index(step.tet)];
+        const CornerConstants& c = link.constants[as_index(step.tet)];
         values[kLanes] = c.stiffness;
         values[2 * kLanes] = static_cast<float>(step.sign) * c.rest;
     }
-    // Where each corner now lies.
-    n = 0;
-    for (int i = 0; i < topology.count[as_index(v)]; ++i) {
-        const int32_t t = topology.around[as_index(topology.first[as_index(v)] + i)];
-        if (state.tet_alive[as_index(t)] == 0) continue;
-        const size_t k = corner_of(topology.tets[as_index(t)], v);
-        const int64_t step = strip.step_of(n);
-        packed.corner_lane[4 * as_index(t) + k] =
-            step < steps ? static_cast<int32_t>(b.lane_start + static_cast<int64_t>(lane) +
-                                                kLanes * (2 + 3 * step))
-                         : nowhere;
-        ++n;
+}
+
+/// Writes strip and constants of a vertex into its lane.
+void rebuild(SoftBodyState& state, Topology& topology, int32_t v) noexcept {
+    KernelLayout& packed = topology.packed;
+    CutLink link;
+    read_link(state, topology, v, link);
+    BoundedStrip strip;
+    strip.build({link.triangle.data(), link.count});
+    const int32_t slot = packed.slot[as_index(v)];
+    const int32_t capacity = topology.capacity[as_index(slot / kLanes)];
+    VertexBatch& b = packed.batches[as_index(slot / kLanes)];
+    if (strip.size() > capacity) {
+        ++topology.refused;  // the vertex keeps what fits; tests show that this does not happen
+        state.flags |= kCutRefused;
     }
+    const int32_t steps = std::min<int32_t>(static_cast<int32_t>(strip.size()), capacity);
+    b.steps = std::max(b.steps, steps);
+    write_steps(state, topology, v, strip, steps, link);
+    // Where each corner now lies.
+    const auto nowhere = static_cast<int32_t>(state.lanes.size()) - 2 * kLanes;
+    const int64_t first = b.lane_start + static_cast<int64_t>(slot % kLanes);
+    size_t n = 0;
+    each_living(state, topology, v, [&](int32_t t, size_t k) noexcept {
+        const int64_t step = strip.step_of(n++);
+        packed.corner_lane[4 * as_index(t) + k] =
+            step < steps ? static_cast<int32_t>(first + kLanes * (2 + 3 * step)) : nowhere;
+    });
 }
 
 }  // namespace
