@@ -260,24 +260,50 @@ void SutureOperator::next_bite() noexcept {
     out_rad_ = 0;
 }
 
+/// Whether the marks of a bite are there to be seen.
+bool SutureOperator::sees_marks() const noexcept { return seen_.practice.targets == 2; }
+
+void SutureOperator::look(const Plane& p) noexcept {
+    if (stage_s_ < profile_.look_s || !seen_.needle || !sees_marks()) return;
+    plan();
+    stage(Stage::kReach);
+    hand_.reach(hold_at(p, centre_ + kOverMarkM * p.up, point_rad_ - held_rad_));
+}
+
+/// Over the mark, where it waits for the other hand.
+void SutureOperator::come_over_mark(const Plane& p, double dt_s) noexcept {
+    if (hand_.reached(hold_at(p, centre_ + kOverMarkM * p.up, point_rad_ - held_rad_), dt_s) &&
+        stage_s_ > 1.5) {
+        if (waits_) return;
+        if (habits_.edges_slide && sees_marks()) plan();
+        if (drawn_ > 0) look_along(p);
+        stage(Stage::kLower);
+    }
+}
+
+/// Out of a bite that went wrong, the way that it came; then once more.
+void SutureOperator::draw_back(const Plane& p, double dt_s) noexcept {
+    if (too_hard()) {
+        strained_s_ += dt_s;
+        if (strained_s_ > kStrainS) stage(Stage::kDone);
+        return;
+    }
+    point_rad_ -= habits_.speed_m_s * dt_s / radius_m_;
+    static_cast<void>(hand_.glide(hold_at(p, centre_, point_rad_ - held_rad_), 0.05, dt_s));
+    if (point_rad_ > entry_rad_ - kBeforeM / radius_m_) return;
+    bites_ = seen_.bites;
+    if (habits_.edges_slide) exits_ = seen_.exits;
+    if (sees_marks()) plan();
+    stage(Stage::kLower);
+}
+
 void SutureOperator::go_on(const Plane& p, double dt_s) noexcept {
-    const bool marks = seen_.practice.targets == 2;
     switch (stage_) {
         case Stage::kLook:
-            if (stage_s_ < profile_.look_s || !seen_.needle || !marks) break;
-            plan();
-            stage(Stage::kReach);
-            hand_.reach(hold_at(p, centre_ + kOverMarkM * p.up, point_rad_ - held_rad_));
+            look(p);
             break;
         case Stage::kReach:
-            if (hand_.reached(hold_at(p, centre_ + kOverMarkM * p.up, point_rad_ - held_rad_),
-                              dt_s) &&
-                stage_s_ > 1.5) {
-                if (waits_) break;
-                if (habits_.edges_slide && marks) plan();
-                if (drawn_ > 0) look_along(p);
-                stage(Stage::kLower);
-            }
+            come_over_mark(p, dt_s);
             break;
         case Stage::kLower:
             if (hand_.glide(hold_at(p, centre_, point_rad_ - held_rad_), profile_.descend_m_s,
@@ -288,18 +314,7 @@ void SutureOperator::go_on(const Plane& p, double dt_s) noexcept {
             drive(p, dt_s);
             break;
         case Stage::kDrawBack:
-            if (too_hard()) {
-                strained_s_ += dt_s;
-                if (strained_s_ > kStrainS) stage(Stage::kDone);
-                break;
-            }
-            point_rad_ -= habits_.speed_m_s * dt_s / radius_m_;
-            static_cast<void>(hand_.glide(hold_at(p, centre_, point_rad_ - held_rad_), 0.05, dt_s));
-            if (point_rad_ > entry_rad_ - kBeforeM / radius_m_) break;
-            bites_ = seen_.bites;
-            if (habits_.edges_slide) exits_ = seen_.exits;
-            if (marks) plan();
-            stage(Stage::kLower);
+            draw_back(p, dt_s);
             break;
         case Stage::kEase:
             ease(dt_s);

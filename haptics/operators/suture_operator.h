@@ -81,6 +81,10 @@ class SutureOperator final : public ScriptedOperator {
     void leave(double dt_s) noexcept;
     void draw(const Plane& plane, double dt_s) noexcept;
     void next_bite() noexcept;
+    [[nodiscard]] bool sees_marks() const noexcept;
+    void look(const Plane& plane) noexcept;
+    void come_over_mark(const Plane& plane, double dt_s) noexcept;
+    void draw_back(const Plane& plane, double dt_s) noexcept;
     void go_on(const Plane& plane, double dt_s) noexcept;
     void try_again() noexcept;
     [[nodiscard]] bool too_hard() const noexcept;
