@@ -186,6 +186,58 @@ void WindowHands::move_jaw(WindowHand& hand, bool pressed, double dt_s) const no
                               std::max(hand.jaw_open_rad, hand.jaw_least_rad));
 }
 
+/// What the window asks of hand and scope in this tick.
+void WindowHands::move_hands(const sim::WindowInput& now, double dt_s) noexcept {
+    const auto key = [](sim::Key k) { return static_cast<size_t>(k); };
+    next_hand(now.presses[key(sim::Key::kTab)] - before_.presses[key(sim::Key::kTab)]);
+    WindowHand* scope = nullptr;
+    for (auto& hand : hands_)
+        if (hand.scope) scope = &hand;
+    const bool clutch = now.is_down(sim::Key::kSpace);
+    if (clutch)
+        hands_[active_].rate_m_s.setZero();
+    else
+        move(now, before_, dt_s, hands_[active_], scope);
+    if (now.presses[key(sim::Key::kEnter)] != before_.presses[key(sim::Key::kEnter)] || finish(now))
+        finished_ = true;
+}
+
+void WindowHands::stand_still() noexcept {
+    for (auto& hand : hands_) {
+        hand.target_m = hand.position_m;
+        hand.rate_m_s.setZero();
+        hand.roll_rad = hand.turned_rad;
+    }
+}
+
+/// Those that count, of the active hand.
+uint8_t WindowHands::pedals_down(const sim::WindowInput& now, int64_t t_ns, bool attended,
+                                 bool allowed) noexcept {
+    uint8_t pressed = static_cast<uint8_t>(buttons(now) | feet_.poll(t_ns));
+    if (now.is_down(sim::Key::kCut)) pressed |= sim::kPedalCut;
+    if (now.is_down(sim::Key::kCoag)) pressed |= sim::kPedalCoag;
+    // A pedal that is down in a pause has to be pressed anew; jaws stay as they are.
+    const bool may_press = hands_[active_].energy ? allowed : attended;
+    const uint8_t counts = pedals_.update(pressed, t_ns, may_press, hands_[active_].endless);
+    return allowed ? own_press(counts) : keep_jaws(counts);
+}
+
+DeviceState WindowHands::state_of(size_t i, int64_t t_ns, uint8_t held, bool there) const noexcept {
+    const WindowHand& hand = hands_[i];
+    DeviceState out;
+    out.sequence = sequence_;
+    out.t_ns = t_ns;
+    out.position_m = hand.position_m;
+    out.velocity_m_s = hand.velocity_m_s;
+    out.roll_rad = hand.turned_rad;
+    out.jaw_rad = hand.energy || hand.scope ? 0 : hand.jaw_rad;
+    out.pedals = i == active_ && hand.energy ? held : 0;
+    out.finish = finished_;
+    out.engaged = !hand.out;
+    out.status = there ? DeviceStatus::kReady : DeviceStatus::kLost;
+    return out;
+}
+
 void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
     if (hands_.empty()) return;
     before_read(t_ns);
@@ -197,37 +249,14 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
     seen_ = true;
     last_ns_ = t_ns;
 
-    const auto key = [](sim::Key k) { return static_cast<size_t>(k); };
     const bool there = present(now);
     const bool attended = now.focused && there && !age_.stale(t_ns);
     const bool allowed = attended && !on_hold_;
-    if (allowed) {
-        next_hand(now.presses[key(sim::Key::kTab)] - before_.presses[key(sim::Key::kTab)]);
-        WindowHand* scope = nullptr;
-        for (auto& hand : hands_)
-            if (hand.scope) scope = &hand;
-        const bool clutch = now.is_down(sim::Key::kSpace);
-        if (clutch)
-            hands_[active_].rate_m_s.setZero();
-        else
-            move(now, before_, dt, hands_[active_], scope);
-        if (now.presses[key(sim::Key::kEnter)] != before_.presses[key(sim::Key::kEnter)] ||
-            finish(now))
-            finished_ = true;
-    } else {
-        for (auto& hand : hands_) {
-            hand.target_m = hand.position_m;
-            hand.rate_m_s.setZero();
-            hand.roll_rad = hand.turned_rad;
-        }
-    }
-    uint8_t pressed = static_cast<uint8_t>(buttons(now) | feet_.poll(t_ns));
-    if (now.is_down(sim::Key::kCut)) pressed |= sim::kPedalCut;
-    if (now.is_down(sim::Key::kCoag)) pressed |= sim::kPedalCoag;
-    // A pedal that is down in a pause has to be pressed anew; jaws stay as they are.
-    const bool may_press = hands_[active_].energy ? allowed : attended;
-    const uint8_t counts = pedals_.update(pressed, t_ns, may_press, hands_[active_].endless);
-    const uint8_t held = allowed ? own_press(counts) : keep_jaws(counts);
+    if (allowed)
+        move_hands(now, dt);
+    else
+        stand_still();
+    const uint8_t held = pedals_down(now, t_ns, attended, allowed);
     before_ = now;
 
     ++sequence_;
@@ -237,18 +266,7 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
         turn(hand, dt);
         if (i == active_ && !hand.energy && !on_hold_)
             move_jaw(hand, (held & sim::kPedalCut) != 0, dt);
-        DeviceState& out = states[i];
-        out = {};
-        out.sequence = sequence_;
-        out.t_ns = t_ns;
-        out.position_m = hand.position_m;
-        out.velocity_m_s = hand.velocity_m_s;
-        out.roll_rad = hand.turned_rad;
-        out.jaw_rad = hand.energy || hand.scope ? 0 : hand.jaw_rad;
-        out.pedals = i == active_ && hand.energy ? held : 0;
-        out.finish = finished_;
-        out.engaged = !hand.out;
-        out.status = there ? DeviceStatus::kReady : DeviceStatus::kLost;
+        states[i] = state_of(i, t_ns, held, there);
     }
 }
 

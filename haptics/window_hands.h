@@ -98,6 +98,12 @@ class WindowHands : public DeviceGroup {
     static void ease(WindowHand& hand, const Vec3& wished_m_s, double dt_s) noexcept;
 
  private:
+    void move_hands(const sim::WindowInput& now, double dt_s) noexcept;
+    void stand_still() noexcept;
+    [[nodiscard]] uint8_t pedals_down(const sim::WindowInput& now, int64_t t_ns, bool attended,
+                                      bool allowed) noexcept;
+    [[nodiscard]] DeviceState state_of(size_t hand, int64_t t_ns, uint8_t held,
+                                       bool there) const noexcept;
     void follow(WindowHand& hand, double dt_s) noexcept;
     static void turn(WindowHand& hand, double dt_s) noexcept;
     void next_hand(uint32_t presses) noexcept;
