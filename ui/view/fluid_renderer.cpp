@@ -35,13 +35,19 @@ void FluidMesh::corner(const Vector3f& p, const Vector3f& n, float material, flo
 
 void FluidMesh::build_pool(const FluidSnapshot& fluid) {
     clear();
-    const int columns = fluid.columns, rows = fluid.rows;
-    const auto cells = static_cast<size_t>(columns) * static_cast<size_t>(rows);
+    const auto cells = static_cast<size_t>(fluid.columns) * static_cast<size_t>(fluid.rows);
     if (fluid.depth_m.size() != cells) return;
-    // A dry cell beside fluid has the level of that: the surface runs into the tissue, and the
-    // depth buffer draws the shore.
     level_.assign(cells, 0);
     number_.assign(cells, -1);
+    level_cells(fluid);
+    add_pool_corners(fluid);
+    add_pool_faces(fluid.columns, fluid.rows);
+}
+
+void FluidMesh::level_cells(const FluidSnapshot& fluid) {
+    const int columns = fluid.columns, rows = fluid.rows;
+    // A dry cell beside fluid has the level of that: the surface runs into the tissue, and the
+    // depth buffer draws the shore.
     const auto wet = [&](size_t c) { return fluid.depth_m[c] > kSeenM; };
     const auto at = [&](int i, int j) { return static_cast<size_t>(j * columns + i); };
     for (int j = 0; j < rows; ++j) {
@@ -65,6 +71,11 @@ void FluidMesh::build_pool(const FluidSnapshot& fluid) {
             number_[c] = 0;
         }
     }
+}
+
+void FluidMesh::add_pool_corners(const FluidSnapshot& fluid) {
+    const int columns = fluid.columns, rows = fluid.rows;
+    const auto at = [&](int i, int j) { return static_cast<size_t>(j * columns + i); };
     int next = 0;
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
@@ -86,6 +97,10 @@ void FluidMesh::build_pool(const FluidSnapshot& fluid) {
                    1000 * fluid.blood_m[c], 0);
         }
     }
+}
+
+void FluidMesh::add_pool_faces(int columns, int rows) {
+    const auto at = [&](int i, int j) { return static_cast<size_t>(j * columns + i); };
     for (int j = 0; j + 1 < rows; ++j) {
         for (int i = 0; i + 1 < columns; ++i) {
             const std::array<int, 4> q{number_[at(i, j)], number_[at(i + 1, j)],

@@ -23,6 +23,10 @@ struct FluidMesh {
     void build_jets(const sim::Snapshot& snapshot);
 
  private:
+    /// The cells of a pool: their levels, and which of them have a corner.
+    void level_cells(const sim::FluidSnapshot& fluid);
+    void add_pool_corners(const sim::FluidSnapshot& fluid);
+    void add_pool_faces(int columns, int rows);
     void clear() noexcept;
     void corner(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float material, float a,
                 float b, float c);
