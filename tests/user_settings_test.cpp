@@ -67,6 +67,7 @@ TEST_F(UserSettingsTest, WithoutAHomeNothingLiesWhereTheProgramWasStarted) {
     EXPECT_FALSE(load_window_size());
     EXPECT_TRUE(std::filesystem::is_empty(folder_));
     std::filesystem::current_path(started);
+    ::setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
     if (set != nullptr) ::setenv("HOME", before.c_str(), 1);
 }
 
