@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "curriculum/attempt_runner.h"
 #include "curriculum/task.h"
 #include "sim/step/recording.h"
+#include "sim/step/step.h"
 
 namespace placode::test {
 
@@ -34,6 +36,14 @@ class MemorySink final : public sim::RecordingSink {
  private:
     std::shared_ptr<sim::Recording> to_;
 };
+
+/// One frame with recorded hands.
+inline void step_with(const sim::Scene& scene, sim::State& state, const sim::Input& input) {
+    state.substeps = input.substeps;
+    std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
+    const size_t tools = scene.tools.size();
+    (void)sim::step(scene, state, {input.tools, tools}, {feedback.data(), tools});
+}
 
 /// The task with other numbers in its scene: {"edge_ring_m", "0.0012"}, ...
 inline curriculum::Task changed_task(

@@ -22,14 +22,6 @@
 
 namespace placode::test {
 
-/// One frame with recorded hands.
-inline void step_with(const sim::Scene& scene, sim::State& state, const sim::Input& input) {
-    state.substeps = input.substeps;
-    std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
-    const size_t tools = scene.tools.size();
-    (void)sim::step(scene, state, {input.tools, tools}, {feedback.data(), tools});
-}
-
 class LiveAttempt final : private curriculum::AttemptBook {
  public:
     /// @param level  "expert", ...
