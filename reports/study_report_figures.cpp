@@ -104,6 +104,7 @@ void add_performance_figures(std::vector<Figure>& figures, const StudyReport& re
             line.failed.push_back(verdict->second != "Passed");
         }
         std::vector<LearningLine> list;
+        list.reserve(lines.size());
         for (auto& [code, line] : lines) list.push_back(std::move(line));
         if (list.empty()) continue;
         figures.push_back(learning_figure(

@@ -41,7 +41,7 @@ class BoundedStrip {
 
     std::span<const LinkTriangle> triangles_;
     std::array<std::array<int8_t, 3>, kMostTriangles> neighbours_{};
-    std::array<StripStep, 3 * kMostTriangles> steps_{}, best_{};
+    std::array<StripStep, size_t{3} * kMostTriangles> steps_{}, best_{};
     std::array<int16_t, kMostTriangles> met_{}, best_met_{};
     std::array<uint8_t, kMostTriangles> visited_{};
     std::array<int32_t, 2> pair_{-1, -1}, before_{-1, -1};

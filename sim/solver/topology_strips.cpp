@@ -14,6 +14,8 @@
 namespace placode::sim {
 namespace {
 
+constexpr size_t kTwice = size_t{2} * kLanes;
+
 /// lambda V r^2 and 6 V gamma of the tets around v, as its lane has them.
 struct CornerConstants {
     float stiffness = 0, rest = 0;
@@ -65,8 +67,8 @@ void write_steps(SoftBodyState& state, Topology& topology, int32_t v, const Boun
     for (int32_t s = 0; s < topology.capacity[as_index(slot / kLanes)]; ++s) {
         uint16_t& entry = packed.strip[as_index(b.step_start + s) * kLanes + lane];
         uint16_t& keep = packed.keep[as_index(b.step_start + s)];
-        float* values = row + kLanes * (1 + 3 * s);
-        values[0] = values[kLanes] = values[2 * kLanes] = 0;
+        float* values = row + as_index(kLanes) * as_index(1 + 3 * s);
+        values[0] = values[kLanes] = values[kTwice] = 0;
         keep = static_cast<uint16_t>(keep & ~bit);
         entry = self;
         if (s >= steps) continue;
@@ -77,7 +79,7 @@ void write_steps(SoftBodyState& state, Topology& topology, int32_t v, const Boun
         // Step.tet counts living tets around v: find which one this is.
         const CornerConstants& c = link.constants[as_index(step.tet)];
         values[kLanes] = c.stiffness;
-        values[2 * kLanes] = static_cast<float>(step.sign) * c.rest;
+        values[kTwice] = static_cast<float>(step.sign) * c.rest;
     }
 }
 
@@ -137,7 +139,7 @@ void reweigh(SoftBodyState& state, int vertex) noexcept {
     };
     double total = 0;
     for (int32_t s = 0; s < b.steps; ++s) {
-        float& weight = rows[kLanes * (1 + 3 * s)];
+        float& weight = rows[as_index(kLanes) * as_index(1 + 3 * s)];
         weight = 0;
         const int32_t other = b.base + entry(s) / 2;
         if (other == vertex) continue;

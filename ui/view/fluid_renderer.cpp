@@ -49,7 +49,9 @@ void FluidMesh::level_cells(const FluidSnapshot& fluid) {
     // A dry cell beside fluid has the level of that: the surface runs into the tissue, and the
     // depth buffer draws the shore.
     const auto wet = [&](size_t c) { return fluid.depth_m[c] > kSeenM; };
-    const auto at = [&](int i, int j) { return static_cast<size_t>(j * columns + i); };
+    const auto at = [&](int i, int j) {
+        return static_cast<size_t>(j) * static_cast<size_t>(columns) + static_cast<size_t>(i);
+    };
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
             float sum = 0;
@@ -75,7 +77,9 @@ void FluidMesh::level_cells(const FluidSnapshot& fluid) {
 
 void FluidMesh::add_pool_corners(const FluidSnapshot& fluid) {
     const int columns = fluid.columns, rows = fluid.rows;
-    const auto at = [&](int i, int j) { return static_cast<size_t>(j * columns + i); };
+    const auto at = [&](int i, int j) {
+        return static_cast<size_t>(j) * static_cast<size_t>(columns) + static_cast<size_t>(i);
+    };
     int next = 0;
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
@@ -100,7 +104,9 @@ void FluidMesh::add_pool_corners(const FluidSnapshot& fluid) {
 }
 
 void FluidMesh::add_pool_faces(int columns, int rows) {
-    const auto at = [&](int i, int j) { return static_cast<size_t>(j * columns + i); };
+    const auto at = [&](int i, int j) {
+        return static_cast<size_t>(j) * static_cast<size_t>(columns) + static_cast<size_t>(i);
+    };
     for (int j = 0; j + 1 < rows; ++j) {
         for (int i = 0; i + 1 < columns; ++i) {
             const std::array<int, 4> q{number_[at(i, j)], number_[at(i + 1, j)],
