@@ -78,6 +78,16 @@ double spread(const std::vector<double>& values) {
     return *most - *least;
 }
 
+/// A metric speaks of what was done of a bite, finished or not: else whoever leaves a bad one would
+/// do better than whoever ends it.
+bool speaks_of(std::string_view metric, const Bite& bite) {
+    if (metric == "bite_entry_worst_mm" || metric == "bite_angle_least_deg") return bite.entered;
+    if (metric == "bite_exit_worst_mm" || metric == "bite_asymmetry_mm" ||
+        metric.substr(0, 11) == "bite_depth_")
+        return bite.entered && bite.left;
+    return bite.done;
+}
+
 /// What is largest at the bite that a metric speaks of.
 double badness(std::string_view metric, const Bite& bite) {
     if (metric == "bite_entry_worst_mm") return bite.entry_offset_m;
@@ -123,7 +133,8 @@ std::optional<double> pitch_m(const Bite& before, const Bite& after) {
 const Bite* bite_shown(std::string_view metric, const std::vector<Bite>& bites) {
     const Bite* worst = nullptr;
     for (const Bite& bite : bites)
-        if (bite.done && (worst == nullptr || badness(metric, bite) > badness(metric, *worst)))
+        if (speaks_of(metric, bite) &&
+            (worst == nullptr || badness(metric, bite) > badness(metric, *worst)))
             worst = &bite;
     return worst;
 }
@@ -131,26 +142,24 @@ const Bite* bite_shown(std::string_view metric, const std::vector<Bite>& bites) 
 void add_bite_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
     const std::vector<Bite> bites = bites_of(recording);
     if (bites.empty()) return;
-    std::vector<double> depths;
-    double entry = 0, exit = 0, asymmetry = 0, angle = std::numbers::pi / 2;
-    for (const Bite& bite : bites) {
-        if (!bite.done) continue;
-        depths.push_back(bite.depth_m);
-        entry = std::max(entry, bite.entry_offset_m);
-        exit = std::max(exit, bite.exit_offset_m);
-        asymmetry = std::max(asymmetry, bite.asymmetry_m());
-        angle = std::min(angle, bite.angle_rad);
-    }
     const auto add = [&](const char* id, double value) { out.push_back({id, value}); };
-    add("bites_done", static_cast<double>(depths.size()));
-    if (depths.empty()) return;
-    add("bite_entry_worst_mm", 1e3 * entry);
-    add("bite_exit_worst_mm", 1e3 * exit);
-    add("bite_depth_least_mm", 1e3 * *std::min_element(depths.begin(), depths.end()));
-    add("bite_depth_most_mm", 1e3 * *std::max_element(depths.begin(), depths.end()));
-    add("bite_asymmetry_mm", 1e3 * asymmetry);
-    add("bite_angle_least_deg", angle * 180 / std::numbers::pi);
-    add("bite_depth_spread_mm", 1e3 * spread(depths));  // of a single bite 0
+    // At the bite that is worst, if there is one.
+    const auto worst = [&](const char* id, double unit, auto value_of) {
+        if (const Bite* bite = bite_shown(id, bites)) add(id, unit * value_of(*bite));
+    };
+    add("bites_done", static_cast<double>(std::count_if(
+                          bites.begin(), bites.end(), [](const Bite& bite) { return bite.done; })));
+    worst("bite_entry_worst_mm", 1e3, [](const Bite& bite) { return bite.entry_offset_m; });
+    worst("bite_exit_worst_mm", 1e3, [](const Bite& bite) { return bite.exit_offset_m; });
+    worst("bite_depth_least_mm", 1e3, [](const Bite& bite) { return bite.depth_m; });
+    worst("bite_depth_most_mm", 1e3, [](const Bite& bite) { return bite.depth_m; });
+    worst("bite_asymmetry_mm", 1e3, [](const Bite& bite) { return bite.asymmetry_m(); });
+    worst("bite_angle_least_deg", 180 / std::numbers::pi,
+          [](const Bite& bite) { return bite.angle_rad; });
+    std::vector<double> depths;
+    for (const Bite& bite : bites)
+        if (speaks_of("bite_depth_spread_mm", bite)) depths.push_back(bite.depth_m);
+    if (!depths.empty()) add("bite_depth_spread_mm", 1e3 * spread(depths));  // of a single bite 0
     const std::vector<double> pitches = pitches_m(bites);
     if (pitches.empty()) return;
     double mean = 0;

@@ -45,10 +45,12 @@ struct Bite {
 [[nodiscard]] std::optional<double> pitch_m(const Bite& before, const Bite& after);
 
 /// Which bite a metric of the row speaks of: the worst, or the last of those between which a spread
-/// is largest. nullptr = of none.
+/// is largest, among those that were done as far as the metric asks (in, out, or all of the needle
+/// drawn through). nullptr = of none.
 [[nodiscard]] const Bite* bite_shown(std::string_view metric, const std::vector<Bite>& bites);
 
-/// Metrics of the row over the bites that are done; nothing where the task has no row.
+/// Metrics of the row: of each bite what was done of it, of the pitch the bites that are done.
+/// Nothing where the task has no row.
 void add_bite_metrics(const sim::Recording& recording, std::vector<Metric>& out);
 
 }  // namespace placode::assessment

@@ -22,7 +22,8 @@ namespace placode::assessment {
 /// way. 20: a bite through a slit from its entry.
 /// 21: healthy skin that leaves with a piece is torn; wire and thread touch the placode.
 /// 22: where a slit leaks; how a needle goes from hand to hand.
-inline constexpr int kMetricSetVersion = 22;
+/// 23: a bite of a row counts from its entry on, finished or not.
+inline constexpr int kMetricSetVersion = 23;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

@@ -145,6 +145,10 @@ TEST(Bites, OnlyWhatIsDoneIsMeasured) {
     EXPECT_EQ(*row.measured().find("bites_done"), 0);
     EXPECT_FALSE(row.measured().find("bite_entry_worst_mm").has_value());
     row.enter(0, Vec3::Zero());
+    EXPECT_TRUE(row.measured().find("bite_angle_least_deg").has_value());
+    for (const char* id :
+         {"bite_exit_worst_mm", "bite_depth_least_mm", "bite_depth_spread_mm", "bite_asymmetry_mm"})
+        EXPECT_FALSE(row.measured().find(id).has_value()) << id << ": it has not come out";
     row.leave(0, Vec3::Zero());
     EXPECT_EQ(*row.measured().find("bites_done"), 0) << "the needle is still in it";
     row.through();
@@ -155,9 +159,39 @@ TEST(Bites, OnlyWhatIsDoneIsMeasured) {
     EXPECT_NEAR(*row.measured().find("bite_pitch_mm"), 4, 1e-4);
     EXPECT_FALSE(row.measured().find("bite_pitch_spread_mm").has_value()) << "one pitch is no row";
     row.marks(2);
+    EXPECT_NEAR(*row.measured().find("bite_entry_worst_mm"), 0, 1e-4);
     row.enter(2, {5e-3, 0, 0});
     EXPECT_EQ(*row.measured().find("bites_done"), 2);
-    EXPECT_NEAR(*row.measured().find("bite_entry_worst_mm"), 0, 1e-4);
+    EXPECT_NEAR(*row.measured().find("bite_entry_worst_mm"), 5, 1e-4) << "nobody took it back";
+}
+
+/// Whoever leaves a bad bite, or draws the needle through some other channel, does no better than
+/// whoever ends it.
+TEST(Bites, ABadBiteCountsFinishedOrNot) {
+    const auto with_third = [](bool through, uint64_t channel) {
+        Row row;
+        row.bite(0);
+        row.bite(1);
+        row.marks(2);
+        row.enter(2, {3e-3, 0, 0}, 0.2);
+        row.leave(2, {0, 2.5e-3, 0}, 0.3e-3);
+        if (through) row.add(EventKind::kNeedleThrough, 0, 0).hash = channel;
+        return row;
+    };
+    const Row ended = with_third(true, 0);
+    const MetricSet whole = ended.measured();
+    EXPECT_EQ(*whole.find("bites_done"), 3);
+    for (const Row& row : {with_third(false, 0), with_third(true, 77)}) {
+        const MetricSet left = row.measured();
+        EXPECT_EQ(*left.find("bites_done"), 2);
+        for (const char* id : {"bite_entry_worst_mm", "bite_exit_worst_mm", "bite_depth_least_mm",
+                               "bite_depth_most_mm", "bite_depth_spread_mm", "bite_asymmetry_mm",
+                               "bite_angle_least_deg"}) {
+            EXPECT_EQ(left.find(id), whole.find(id)) << id;
+            // And it is the one that a reason shows.
+            EXPECT_EQ(locate(id, 0, row.recording).at_m, locate(id, 0, ended.recording).at_m) << id;
+        }
+    }
 }
 
 // A single bite is measured by itself: tasks and recordings of one bite stay what they are.

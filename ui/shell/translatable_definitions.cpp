@@ -286,12 +286,10 @@ namespace {
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
         "Bites of a row that came out and through which all of the needle was drawn."),
-    QT_TRANSLATE_NOOP(
-        "MetricDefinition",
-        "Largest distance of an entry from its mark, over the bites of a row that are done."),
-    QT_TRANSLATE_NOOP(
-        "MetricDefinition",
-        "Largest distance of an exit from its mark, over the bites of a row that are done."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Largest distance of an entry from its mark, over the bites of a row."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Largest distance of an exit from its mark, over the bites of a row."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Depth of the shallowest bite of a row, below the surface at rest."),
     QT_TRANSLATE_NOOP("MetricDefinition",

@@ -3955,12 +3955,12 @@
         <translation>Gdzie najwięcej przepływa przy ciśnieniu, przy którym szew puszcza, licząc od lewego końca, a od górnego, gdy rozcięcie biegnie z góry na dół; brak wartości, gdy szew wytrzymał do końca próby.</translation>
     </message>
     <message>
-        <source>Largest distance of an entry from its mark, over the bites of a row that are done.</source>
-        <translation>Największa odległość wkłucia od znaku wśród ukończonych ściegów szwu.</translation>
+        <source>Largest distance of an entry from its mark, over the bites of a row.</source>
+        <translation>Największa odległość wkłucia od znaku wśród ściegów szwu.</translation>
     </message>
     <message>
-        <source>Largest distance of an exit from its mark, over the bites of a row that are done.</source>
-        <translation>Największa odległość wykłucia od znaku wśród ukończonych ściegów szwu.</translation>
+        <source>Largest distance of an exit from its mark, over the bites of a row.</source>
+        <translation>Największa odległość wykłucia od znaku wśród ściegów szwu.</translation>
     </message>
     <message>
         <source>Depth of the shallowest bite of a row, below the surface at rest.</source>
