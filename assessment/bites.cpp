@@ -123,6 +123,17 @@ std::vector<Bite> bites_of(const sim::Recording& recording) {
     return bites;
 }
 
+std::optional<Bite> last_bite(const sim::Recording& recording) {
+    std::optional<Bite> bite;
+    Prick prick;
+    for (const Event& e : recording.events) {
+        prick.note(e);
+        if (e.kind == EventKind::kBiteEntry && (!bite || bite->left)) bite.emplace();
+        if (bite) note(e, prick, *bite);
+    }
+    return bite;
+}
+
 std::optional<double> pitch_m(const Bite& before, const Bite& after) {
     if (!before.done || !after.done || after.number != before.number + 1) return std::nullopt;
     const Vec3 along = after.planned_middle_m() - before.planned_middle_m();

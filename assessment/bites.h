@@ -40,6 +40,10 @@ struct Bite {
 /// Every bite that was begun, in order; empty where the task has no row of bites.
 [[nodiscard]] std::vector<Bite> bites_of(const sim::Recording& recording);
 
+/// The bite that was begun last, of a row or by itself: not every prick is one. Nothing where none
+/// was begun. It has no number and no marks.
+[[nodiscard]] std::optional<Bite> last_bite(const sim::Recording& recording);
+
 /// Distance of a bite from the one before, along the line between their planned middles [m]; below
 /// zero where they lie in the wrong order. Nothing unless both are done and neighbours.
 [[nodiscard]] std::optional<double> pitch_m(const Bite& before, const Bite& after);

@@ -291,7 +291,8 @@ constexpr MetricDefinition kMetrics[] = {
     {"bite_depth_mm", "Depth of the bite", "mm", kNeutral,
      "Deepest place of the needle's channel below the surface at rest, last bite.", "Placode"},
     {"bite_angle_deg", "Angle of the needle", "deg", kHigherIsBetter,
-     "Angle between the needle's path and the surface at rest where it last went in, 90 = upright.",
+     "Angle between the needle's path and the surface at rest where the last bite went in, 90 = "
+     "upright.",
      "after Kazemi et al. 2010"},
     {"bites_done", "Bites done", "", kHigherIsBetter,
      "Bites of a row that came out and through which all of the needle was drawn.", "Placode"},

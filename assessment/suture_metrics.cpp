@@ -3,8 +3,10 @@
 #include "assessment/suture_metrics.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+#include <optional>
+
+#include "assessment/bites.h"
 
 namespace placode::assessment {
 namespace {
@@ -38,11 +40,10 @@ void add_suture_metrics(const sim::Recording& recording, std::vector<Metric>& ou
         out.push_back({"bite_entry_offset_mm", 1e3 * static_cast<double>(e->value2)});
     if (const Event* e = last_of(recording, EventKind::kBiteExit))
         out.push_back({"bite_exit_offset_mm", 1e3 * static_cast<double>(e->value2)});
-    if (const Event* e = last_of(recording, EventKind::kNeedleLeft))
-        out.push_back({"bite_depth_mm", 1e3 * static_cast<double>(e->value2)});
-    if (const Event* e = last_of(recording, EventKind::kNeedleEntered)) {
-        const double sine = std::clamp(static_cast<double>(e->value2), 0.0, 1.0);
-        out.push_back({"bite_angle_deg", std::asin(sine) * 180 / std::numbers::pi});
+    // Those of the bite: a prick elsewhere, before it or after it, says nothing of it.
+    if (const std::optional<Bite> bite = last_bite(recording)) {
+        if (bite->left) out.push_back({"bite_depth_mm", 1e3 * bite->depth_m});
+        out.push_back({"bite_angle_deg", bite->angle_rad * 180 / std::numbers::pi});
     }
     out.push_back({"needle_entries", count_of(recording, {EventKind::kNeedleEntered})});
     out.push_back(

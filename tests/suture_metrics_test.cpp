@@ -63,6 +63,33 @@ TEST(SutureMetrics, TheLastBiteCountsAndTroublesAreCounted) {
         EXPECT_EQ(locate(id, 0, recording).count, *measured(recording).find(id)) << id;
 }
 
+// Else a steep and deep prick anywhere would stand for a bite that is flat and shallow.
+TEST(SutureMetrics, APrickBesideTheBiteSaysNothingOfIt) {
+    sim::Recording recording = with_driver();
+    add(recording, EventKind::kNeedleEntered, 0.025F, 0.9F);
+    add(recording, EventKind::kNeedleLeft, 0.024F, 1.5e-3F);
+    EXPECT_FALSE(measured(recording).find("bite_angle_deg").has_value()) << "no bite of the task";
+    add(recording, EventKind::kNeedleEntered, 0.025F, 0.1F);
+    add(recording, EventKind::kBiteEntry, 0, 0);
+    EXPECT_FALSE(measured(recording).find("bite_depth_mm").has_value()) << "it is still in it";
+    add(recording, EventKind::kNeedleLeft, 0.024F, 0.2e-3F);
+    add(recording, EventKind::kBiteExit, 1, 0);
+    const MetricSet bite = measured(recording);
+    EXPECT_NEAR(*bite.find("bite_depth_mm"), 0.2, 1e-6);
+    EXPECT_NEAR(*bite.find("bite_angle_deg"), std::asin(0.1) * 180 / std::numbers::pi, 1e-4);
+    add(recording, EventKind::kNeedleEntered, 0.025F, 0.9F);
+    add(recording, EventKind::kNeedleLeft, 0.024F, 1.5e-3F);
+    for (const char* id : {"bite_depth_mm", "bite_angle_deg"})
+        EXPECT_EQ(measured(recording).find(id), bite.find(id)) << id;
+    EXPECT_EQ(*measured(recording).find("needle_entries"), 3);
+    // The next one begins anew.
+    add(recording, EventKind::kBiteEntry, 5, 0);
+    add(recording, EventKind::kNeedleLeft, 0.024F, 1.1e-3F);
+    add(recording, EventKind::kBiteExit, 6, 0);
+    EXPECT_NEAR(*measured(recording).find("bite_angle_deg"),
+                std::asin(0.9) * 180 / std::numbers::pi, 1e-4);
+}
+
 TEST(SutureMetrics, WhatWasNotDoneHasNoValueAndNoDriverNoMetric) {
     sim::Recording recording = with_driver();
     add(recording, EventKind::kNeedleTaken);

@@ -383,8 +383,8 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Times that the needle's point opened a surface from outside."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Angle between the needle's path and the surface at rest where it last went "
-                      "in, 90 = upright."),
+                      "Angle between the needle's path and the surface at rest where the last bite "
+                      "went in, 90 = upright."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
         "Deepest place of the needle's channel below the surface at rest, last bite."),

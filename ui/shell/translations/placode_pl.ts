@@ -3907,8 +3907,8 @@
         <translation>Najgłębsze miejsce kanału igły pod powierzchnią w spoczynku, ostatnie przejście.</translation>
     </message>
     <message>
-        <source>Angle between the needle's path and the surface at rest where it last went in, 90 = upright.</source>
-        <translation>Kąt między drogą igły a powierzchnią w spoczynku w miejscu ostatniego wkłucia, 90 = prostopadle.</translation>
+        <source>Angle between the needle's path and the surface at rest where the last bite went in, 90 = upright.</source>
+        <translation>Kąt między drogą igły a powierzchnią w spoczynku w miejscu wkłucia ostatniego ściegu, 90 = prostopadle.</translation>
     </message>
     <message>
         <source>Bites of a row that came out and through which all of the needle was drawn.</source>
