@@ -313,6 +313,31 @@ TEST_P(ScoringProperties, WhatDecidesInTheatreDecidesThePass) {
     }
 }
 
+/// A bite through which the needle was not drawn is none, whatever was ticked off; and whoever ends
+/// the attempt with the needle in the tissue has not sewn.
+TEST_P(ScoringProperties, NobodyPassesWithABiteLeftOut) {
+    const auto bites =
+        std::count_if(task.steps.begin(), task.steps.end(), [](const curriculum::TaskStep& step) {
+            return step.goal.kind == sim::PracticeKind::kNeedleIn;
+        });
+    if (bites == 0) return;
+    for (int left_out = 0; bites > 1 && left_out < bites; ++left_out) {
+        sim::Recording recording = done(task, 1);
+        int bite = 0;
+        std::erase_if(recording.events, [&](const sim::Event& e) {
+            return e.kind == sim::EventKind::kNeedleThrough && bite++ == left_out;
+        });
+        EXPECT_EQ(bite, bites);
+        const Score score = score_of(task, recording);
+        EXPECT_EQ(score.verdict, Verdict::kFailed) << left_out << told(score);
+        EXPECT_LT(score.points, 100) << left_out;
+    }
+    const auto steps = static_cast<double>(task.steps.size());
+    const bool drawn = task.steps.back().goal.kind == sim::PracticeKind::kThreadDraw;
+    const Score early = score_of(task, done(task, (steps - (drawn ? 2 : 1)) / steps));
+    EXPECT_NE(early.verdict, Verdict::kPassed) << told(early);
+}
+
 /// Gentleness sees torn and over-stretched tissue from any cause, in every task.
 TEST_P(ScoringProperties, TornStretchedAndBuriedTissueCosts) {
     const auto lost = [&](sim::EventKind kind, double value, int element) {
