@@ -19,10 +19,11 @@ using sim::Vec3;
 /// no entry of a bite.
 struct Prick {
     double angle_rad = 0, depth_m = 0;
+    uint64_t channel = 0;
 
     void note(const Event& e) {
         if (e.kind == EventKind::kNeedleEntered)
-            *this = {std::asin(std::clamp(static_cast<double>(e.value2), 0.0, 1.0)), 0};
+            *this = {std::asin(std::clamp(static_cast<double>(e.value2), 0.0, 1.0)), 0, e.hash};
         else if (e.kind == EventKind::kNeedleLeft)
             depth_m = std::max(depth_m, static_cast<double>(e.value2));
     }
@@ -35,6 +36,7 @@ void note(const Event& e, const Prick& prick, Bite& bite) {
             if (!bite.left) {
                 bite.angle_rad = prick.angle_rad;
                 bite.depth_m = prick.depth_m;
+                bite.first_channel = prick.channel;
             }
             bite.entered = true;
             bite.entered_s = e.time_s;
@@ -53,10 +55,21 @@ void note(const Event& e, const Prick& prick, Bite& bite) {
             bite.channel = e.hash;
             break;
         case EventKind::kNeedleThrough:
-            bite.done = bite.done || (bite.entered && bite.left && e.hash == bite.channel);
+            bite.done =
+                !bite.lost && (bite.done || (bite.entered && bite.left && e.hash == bite.channel));
             break;
         default:
             break;
+    }
+}
+
+/// A channel without thread holds nothing, however long ago and well it was sewn.
+void note_lost(const Event& e, std::vector<Bite>& bites) {
+    if (e.kind != EventKind::kThreadToreOut && e.kind != EventKind::kThreadOut) return;
+    for (Bite& bite : bites) {
+        if (!bite.left || (e.hash != bite.first_channel && e.hash != bite.channel)) continue;
+        bite.lost = true;
+        bite.done = false;
     }
 }
 
@@ -110,6 +123,7 @@ std::vector<Bite> bites_of(const sim::Recording& recording) {
     Prick prick;
     for (const Event& e : recording.events) {
         prick.note(e);
+        note_lost(e, bites);
         if (e.kind == EventKind::kBiteMark) {
             if (bites.empty() || bites.back().number != e.element) {
                 bites.emplace_back();

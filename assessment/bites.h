@@ -23,10 +23,11 @@ struct Bite {
     /// two.
     double depth_m = 0;
     double angle_rad = 0;  ///< Of the needle to the surface at rest where it went in.
-    uint64_t channel = 0;  ///< That of the exit.
+    uint64_t first_channel = 0, channel = 0;  ///< That of the entry, that of the exit.
     double entered_s = 0, left_s = 0;
     bool entered = false, left = false;
-    bool done = false;  ///< Came out, and all of the needle was drawn through.
+    bool lost = false;  ///< Thread tore, or was drawn, out of one of these channels.
+    bool done = false;  ///< Came out, all of the needle was drawn through, and the thread is in it.
 
     /// Distances of entry and exit from the line, which is square to the way between the marks and
     /// passes in the middle between them.

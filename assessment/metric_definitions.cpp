@@ -295,7 +295,9 @@ constexpr MetricDefinition kMetrics[] = {
      "upright.",
      "after Kazemi et al. 2010"},
     {"bites_done", "Bites done", "", kHigherIsBetter,
-     "Bites of a row that came out and through which all of the needle was drawn.", "Placode"},
+     "Bites of a row that came out, through which all of the needle was drawn, and whose thread is "
+     "still in them.",
+     "Placode"},
     {"bite_entry_worst_mm", "Entry beside its mark, worst bite", "mm", kLowerIsBetter,
      "Largest distance of an entry from its mark, over the bites of a row.", "Placode"},
     {"bite_exit_worst_mm", "Exit beside its mark, worst bite", "mm", kLowerIsBetter,

@@ -194,6 +194,36 @@ TEST(Bites, ABadBiteCountsFinishedOrNot) {
     }
 }
 
+TEST(Bites, ThreadThatLeftABiteUndoesIt) {
+    for (const auto& [channel, kind] : {std::pair{21, EventKind::kThreadToreOut},
+                                        {22, EventKind::kThreadToreOut},
+                                        {22, EventKind::kThreadOut}}) {
+        Row row;
+        for (const int bite : {0, 1, 2}) {
+            const auto first = static_cast<uint64_t>(10 * (bite + 1) + 1);
+            row.marks(bite);
+            row.add(EventKind::kNeedleEntered, 0.025, 0.5).hash = first;
+            row.add(EventKind::kBiteEntry, 5 * bite, 0, Row::mark(bite, true));
+            row.add(EventKind::kNeedleLeft, 0.024, 1.2e-3).hash = first;
+            row.add(EventKind::kNeedleEntered, 0.025, 0.5).hash = first + 1;
+            row.add(EventKind::kNeedleLeft, 0.024, 1.2e-3).hash = first + 1;
+            row.add(EventKind::kBiteExit, 5 * bite + 1, 0, Row::mark(bite, false));
+            row.add(EventKind::kNeedleThrough, 0, 0).hash = first + 1;
+        }
+        const auto torn = static_cast<uint64_t>(channel);
+        row.add(EventKind::kThreadCut, 700, 0).hash = torn;
+        EXPECT_EQ(*row.measured().find("bites_done"), 3) << "cut into, it holds";
+        row.add(kind, 700, 0).hash = 99;
+        EXPECT_EQ(*row.measured().find("bites_done"), 3) << "of no bite";
+        row.add(kind, 700, 0).hash = torn;
+        EXPECT_EQ(*row.measured().find("bites_done"), 2) << channel;
+        EXPECT_TRUE(bites_of(row.recording)[1].lost);
+        row.add(EventKind::kNeedleThrough, 0, 0).hash = torn;
+        EXPECT_EQ(*row.measured().find("bites_done"), 2) << "gone is gone";
+        EXPECT_EQ(*row.measured().find("bite_entry_worst_mm"), 0) << "where it was is known";
+    }
+}
+
 // A single bite is measured by itself: tasks and recordings of one bite stay what they are.
 TEST(Bites, WithoutMarksThereIsNoRow) {
     Row row;

@@ -285,7 +285,8 @@ namespace {
         "upper one where it runs up and down; nothing where it holds to the end of the test."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
-        "Bites of a row that came out and through which all of the needle was drawn."),
+        "Bites of a row that came out, through which all of the needle was drawn, and "
+        "whose thread is still in them."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Largest distance of an entry from its mark, over the bites of a row."),
     QT_TRANSLATE_NOOP("MetricDefinition",
