@@ -71,7 +71,7 @@ inline constexpr double kEnoughUndermined = 0.75;
 struct PracticeSight {
     const sim::Sample& sample;
     std::span<const sim::Vec3> targets;  ///< Of the present step, where they lie now, in W [m].
-    std::array<bool, sim::kMaxTools> holds{};
+    std::array<bool, sim::kMaxTools> holds{};  ///< Tissue; with two drivers, the needle.
     std::array<double, sim::kMaxTools> pull_n{};
     std::array<bool, sim::kMaxTools> engaged{};
     NeedleSight needle{};

@@ -241,9 +241,11 @@ std::span<const sim::Event> PracticeGuide::see(const sim::State& state,
         patch_.look(*scene_, state);
         sight.patch = &patch_.sight();
     }
+    // One driver carries its needle about: that is no tissue that it has grasped.
+    const bool handled = sim::has_two_drivers(*scene_);
     for (size_t i = 0; i < inputs.size(); ++i) {
-        sight.holds[i] =
-            state.grasps[i].count > 0 || sim::hold_of(state, static_cast<int>(i)) != nullptr;
+        sight.holds[i] = state.grasps[i].count > 0 ||
+                         (handled && sim::hold_of(state, static_cast<int>(i)) != nullptr);
         sight.pull_n[i] = state.grasps[i].force_n.norm();
         sight.engaged[i] = inputs[i].engaged != 0;
     }

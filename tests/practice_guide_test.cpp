@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "curriculum/attempt_sample.h"
 #include "tests/box_scene.h"
+#include "tests/stitch_scene.h"
 
 namespace placode::curriculum {
 namespace THIS_TEST {
@@ -31,6 +33,29 @@ TEST(PracticeGuide, AnInstrumentIsDrawnBackAsFarAsTheStepSays) {
     };
     for (const double above_m : {0.002, 0.004, 0.0079}) EXPECT_FALSE(done_at(above_m)) << above_m;
     EXPECT_TRUE(done_at(0.0081));
+}
+
+// Else a driver with its needle near the mark has "grasped the edge", and an edge that was let go
+// is held for as long as the needle is.
+TEST(PracticeGuide, ANeedleInTheJawsIsNoTissueInThem) {
+    sim::test::Stitch stitch;
+    stitch.rest(10);
+    ASSERT_NE(sim::hold_of(stitch.state, 0), nullptr);
+    const auto told = [&](sim::PracticeKind kind) {
+        TaskStep step;
+        step.goal.kind = kind;
+        step.goal.hand = stitch.scene.tools[0].hand;
+        PracticeGuide guide({step}, stitch.scene, stitch.state);
+        const auto events = guide.see(stitch.state, stitch.inputs,
+                                      sample_of(stitch.scene, stitch.state, stitch.inputs));
+        std::vector<sim::EventKind> kinds;
+        for (const sim::Event& e : events) kinds.push_back(e.kind);
+        return kinds;
+    };
+    using sim::EventKind;
+    EXPECT_EQ(told(sim::PracticeKind::kGrasp), std::vector{EventKind::kPracticeSteps});
+    EXPECT_EQ(told(sim::PracticeKind::kRelease),
+              (std::vector{EventKind::kPracticeSteps, EventKind::kStepDone}));
 }
 
 }  // namespace THIS_TEST

@@ -21,7 +21,7 @@ enum class PracticeKind : uint8_t {
     kCut,       ///< Touch it and press the yellow pedal for `hold_s`.
     kCoag,      ///< And the blue one.
     kGrasp,     ///< Take hold of tissue at the target.
-    kRelease,   ///< Let it go, or the needle.
+    kRelease,   ///< Let it go; with two drivers, the needle.
     kTrace,     ///< Follow the planned line with the tip at the surface, without energy.
     kTraction,  ///< Both hands hold tissue and pull with `low_n` to `high_n` for `hold_s`.
     kWithdraw,  ///< Take the instrument `distance_m` away from the tissue.
