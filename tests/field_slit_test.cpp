@@ -6,11 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "sim/anatomy/operative_field.h"
 #include "sim/contact/self_contact.h"
 #include "sim/contact/slit_gap.h"
+#include "sim/core/as_index.h"
 #include "sim/step/slit_when_let_go.h"
 #include "sim/step/step.h"
 #include "sim/world/state.h"
@@ -193,6 +195,35 @@ TEST(FieldSlit, ATornWallIsOpenHoweverNearItsRagsLie) {
     EXPECT_NEAR(torn[shut + 1].value2, kWidthM - kTissueGapM, 0.015 * kWidthM);
     for (size_t i = 1; i < torn.size(); ++i)
         EXPECT_GE(torn[i].value, before[i].value) << "tearing closes nothing, station " << i;
+    // No thread is drawn tight by tearing out the wall between the marks.
+    EXPECT_NEAR(narrowest_gap(*scene, state, static_cast<int>(shut)), kWidthM - kTissueGapM,
+                0.015 * kWidthM);
+    // And fluid is not stopped by rags of the floor.
+    const int station = static_cast<int>(shut), floor = scene->slit.layers;
+    const int32_t left = scene->slit.stations[shut].left[static_cast<size_t>(floor)],
+                  right = scene->slit.stations[shut].right[static_cast<size_t>(floor)];
+    state.body.x[static_cast<size_t>(left)] = state.body.x[static_cast<size_t>(right)];
+    for (const int32_t t : scene->body.tets_of(left))
+        if (state.body.tet_alive[as_index(t)] != 0) remove_tet(scene->body, state.body, t);
+    EXPECT_NEAR(open_gap(*scene, state, station, floor), kWidthM - kTissueGapM, 0.015 * kWidthM);
+}
+
+TEST(FieldSlit, AWallThatIsNowhereIsOpen) {
+    const auto& scene = pad_scene();
+    State state(*scene, 1);
+    for (size_t v = 0; v < scene->body.mesh().rest.size(); ++v) {
+        const int side = scene->slit.side_of(static_cast<int32_t>(v));
+        state.body.x[v].x =
+            static_cast<float>(scene->body.mesh().rest[v].x() + side * 0.48 * kWidthM);
+    }
+    const auto lost = static_cast<size_t>(nearest_station(*scene, Vec2(0.009, 0)));
+    for (int level = 0; level < scene->slit.layers; ++level)
+        state.body.x[static_cast<size_t>(scene->slit.stations[lost].left[as_index(level)])].x =
+            std::numeric_limits<float>::quiet_NaN();
+    const auto told = slit_events(*scene, state);
+    EXPECT_NEAR(told.at(lost + 1).value, kWidthM - kTissueGapM, 0.015 * kWidthM);
+    for (const Event& e : told) EXPECT_TRUE(std::isfinite(e.value)) << e.element;
+    EXPECT_GT(narrowest_gap(*scene, state, static_cast<int>(lost)), 0.9 * kWidthM);
 }
 
 TEST(FieldSlit, APlaceLiesInTheSlitOrBesideIt) {

@@ -68,7 +68,7 @@ class WayToWall {
     void look_at(const Vec3& p, const Triangle& face) noexcept {
         const Vec3 w = closest_on_triangle(p, face);
         const Vec3 offset = w.x() * face[0] + w.y() * face[1] + w.z() * face[2] - p;
-        if (offset.squaredNorm() >= best2_) return;
+        if (!(offset.squaredNorm() < best2_)) return;  // nor what is no number
         best2_ = offset.squaredNorm();
         way_ = offset;
     }
@@ -116,27 +116,36 @@ double depth_at_rest(const Scene& scene, int station, int level) noexcept {
 
 bool is_whole(const Scene& scene, const State& state, int32_t v) noexcept {
     const auto around = scene.body.tets_of(v);
-    return std::all_of(around.begin(), around.end(), [&](int32_t t) {
-        return state.body.tet_alive[static_cast<size_t>(t)] != 0;
-    });
+    return position(state.body, v).allFinite() &&
+           std::all_of(around.begin(), around.end(), [&](int32_t t) {
+               return state.body.tet_alive[static_cast<size_t>(t)] != 0;
+           });
 }
 
 double open_gap(const Scene& scene, const State& state, int station, int level) noexcept {
     assert(is_station(scene, station) && "the slit has no such station");
-    assert(0 <= level && level < scene.slit.layers && "a level is from 0 to below the floor");
+    assert(0 <= level && level <= scene.slit.layers && "a level is from 0 to the floor");
     const Slit::Station& s = scene.slit.stations[static_cast<size_t>(station)];
     const int32_t left = s.left[static_cast<size_t>(level)],
                   right = s.right[static_cast<size_t>(level)];
-    if (is_whole(scene, state, left) && is_whole(scene, state, right))
-        return slit_gap(scene, state, station, level);
-    return std::max(0.0, (rest_of(scene, right) - rest_of(scene, left)).norm() - kTissueGapM);
+    const auto apart = [](const Vec3& a, const Vec3& b) {
+        return std::max(0.0, (b - a).norm() - kTissueGapM);
+    };
+    const bool whole = is_whole(scene, state, left) && is_whole(scene, state, right);
+    if (level == scene.slit.layers) {
+        // The walls' end: rags of it shut nothing that the walls leave open.
+        const double now = apart(position(state.body, left), position(state.body, right));
+        return whole ? now : std::max(now, open_gap(scene, state, station, level - 1));
+    }
+    return whole ? slit_gap(scene, state, station, level)
+                 : apart(rest_of(scene, left), rest_of(scene, right));
 }
 
 double narrowest_gap(const Scene& scene, const State& state, int station) noexcept {
     assert(is_station(scene, station) && "the slit has no such station");
     double least = std::numeric_limits<double>::max();
     for (int level = 0; level < scene.slit.layers; ++level)
-        least = std::min(least, slit_gap(scene, state, station, level));
+        least = std::min(least, open_gap(scene, state, station, level));
     return least;
 }
 

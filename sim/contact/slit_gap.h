@@ -19,17 +19,18 @@ struct State;
 [[nodiscard]] double slit_gap(const Scene& scene, const State& state, int station,
                               int level) noexcept;
 
-/// The least over the depth: nothing passes a slit that is shut at any depth.
+/// The least of open_gap() over the depth: nothing passes a slit that is shut at any depth.
 /// @pre 0 <= station < stations.
 [[nodiscard]] double narrowest_gap(const Scene& scene, const State& state, int station) noexcept;
 
 /// As slit_gap(), but where tissue of a wall is gone as open as it was at rest, wherever the rags
 /// lie: tissue that is torn out lets the edges come together, and must not count as closing them.
-/// @pre 0 <= station < stations, 0 <= level < layers.
+/// At the floor (level == layers) between its own two vertices, and where it is torn no less than
+/// at the level above. @pre 0 <= station < stations, 0 <= level <= layers.
 [[nodiscard]] double open_gap(const Scene& scene, const State& state, int station,
                               int level) noexcept;
 
-/// Nothing has been torn or burned away at this vertex.
+/// Nothing has been torn or burned away at this vertex, and it is somewhere.
 [[nodiscard]] bool is_whole(const Scene& scene, const State& state, int32_t vertex) noexcept;
 
 /// Between both walls at the surface, at rest [m]. @pre 0 <= station < stations.

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/contact/self_contact.h"
 #include "sim/contact/slit_flow.h"
 #include "sim/contact/slit_gap.h"
 #include "sim/core/as_index.h"
@@ -24,12 +23,6 @@ namespace {
 constexpr double kRisePaS = 2500;  // 25 cmH2O/s
 constexpr double kHoldS = 0.2;     // before a leak is measured
 constexpr double kFollow = 0.1;    // of the loads, a frame
-
-double floor_gap(const Scene& scene, const State& state, const Slit::Station& s) noexcept {
-    const auto floor = as_index(scene.slit.layers);
-    const Vec3 across = position(state.body, s.right[floor]) - position(state.body, s.left[floor]);
-    return std::max(0.0, across.norm() - kTissueGapM);
-}
 
 }  // namespace
 
@@ -62,14 +55,12 @@ double SlitPressure::flow_m3_s() const noexcept {
 
 void SlitPressure::flow_at(int station, double pressure_pa) noexcept {
     const auto i = as_index(station);
-    const Slit::Station& s = scene_.slit.stations[i];
     SlitStretch stretch;
     stretch.length_m = length_m_[i];
     stretch.layers = scene_.slit.layers;
     for (int level = 0; level <= stretch.layers; ++level) {
         const auto k = as_index(level);
-        stretch.gap_m[k] = level < stretch.layers ? open_gap(scene_, state_, station, level)
-                                                  : floor_gap(scene_, state_, s);
+        stretch.gap_m[k] = open_gap(scene_, state_, station, level);
         stretch.depth_m[k] = depth_at_rest(scene_, station, level);
     }
     gap_m_[i] =
