@@ -31,11 +31,11 @@ struct Handling {
                 raise(off_percent, 100 * value2);
                 break;
             case EventKind::kNeedleHandedOver:
-                if (e.element <= 0) {
+                if (e.element == 0) {
                     ++between;
                     break;
                 }
-                ++handovers;
+                handovers += e.element > 0 ? 1 : 0;  // else the first one has kept it
                 raise(turn_deg, 2 * std::asin(std::clamp(value, 0.0, 1.0)) * kDegrees);
                 raise(force_mn, 1e3 * value2);
                 break;

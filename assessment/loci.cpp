@@ -66,7 +66,6 @@ constexpr EventSource kSources[]{
     {"bite_depth_mm", EventKind::kBiteExit, Show::kLast, false},
     {"bite_angle_deg", EventKind::kBiteEntry, Show::kLast, false},
     {"needle_entries", EventKind::kNeedleEntered, Show::kLast, false},
-    {"needle_handovers", EventKind::kNeedleHandedOver, Show::kLast, false},
     {"needle_drops", EventKind::kNeedleDropped, Show::kFirst, false},
     {"needle_place_off_percent", EventKind::kNeedlePlaced, Show::kStrongest, false},
     {"needle_askew_deg", EventKind::kNeedleGrip, Show::kWeakest, false},
@@ -252,7 +251,12 @@ std::optional<Locus> locate_suture(std::string_view metric, const sim::Recording
     }
     if (metric == "needle_let_between") {
         return locate_first(recording, [](const Event& e) {
-            return e.kind == EventKind::kNeedleHandedOver && e.element <= 0;
+            return e.kind == EventKind::kNeedleHandedOver && e.element == 0;
+        });
+    }
+    if (metric == "needle_handovers") {
+        return locate_first(recording, [](const Event& e) {
+            return e.kind == EventKind::kNeedleHandedOver && e.element > 0;
         });
     }
     if (metric == "thread_cuts") {

@@ -22,8 +22,8 @@ namespace placode::assessment {
 /// way. 20: a bite through a slit from its entry.
 /// 21: healthy skin that leaves with a piece is torn; wire and thread touch the placode.
 /// 22: where a slit leaks; how a needle goes from hand to hand.
-/// 23: a bite of a row counts from its entry on, finished or not, and is done while its thread is in
-/// it; a single one has its own angle.
+/// 23: a bite of a row counts from its entry on, finished or not, and is done while its thread is
+/// in it; a single one has its own angle. What two hands do to a needle counts in any case.
 inline constexpr int kMetricSetVersion = 23;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };

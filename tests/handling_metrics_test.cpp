@@ -65,6 +65,20 @@ TEST(HandlingMetrics, TheWorstOfEachAndTheSumOfTurns) {
     EXPECT_EQ(locate("needle_drops", 0, recording).time_s, 6);
 }
 
+// Both held it and the first one kept it, or the attempt ended: no hand-over, but no less force.
+TEST(HandlingMetrics, WhatBothHandsDidCountsWhoeverLetsGo) {
+    sim::Recording recording = recorded(2);
+    add(recording, EventKind::kNeedleHandedOver, 3, 0.1, 0.2).element = 400;
+    add(recording, EventKind::kNeedleHandedOver, 5, 0.5, 0.7).element = -1;
+    const MetricSet set = compute_metrics(recording);
+    EXPECT_EQ(set.find("needle_handovers"), 1);
+    EXPECT_EQ(set.find("needle_let_between"), 0);
+    EXPECT_NEAR(*set.find("needle_handover_turn_deg"), 60, 1e-4);
+    EXPECT_NEAR(*set.find("needle_handover_force_mn"), 700, 1e-3);
+    EXPECT_EQ(locate("needle_handovers", 2, recording).count, 1);
+    EXPECT_EQ(locate("needle_let_between", 0, recording).count, 0);
+}
+
 TEST(HandlingMetrics, NothingHappenedIsNothingBad) {
     const MetricSet set = compute_metrics(recorded(2));
     for (const char* id : {"needle_handovers", "needle_drops", "needle_askew_deg",

@@ -4,6 +4,9 @@
 // task of it, whole attempts at three levels.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "assessment/scoring.h"
 #include "sim/core/turn.h"
 #include "sim/cutting/grasp.h"
@@ -122,7 +125,50 @@ TEST(NeedleHandover, WhoTookItAndLetsGoHandsNothingOver) {
     hands.other_jaws(0, 0.6);
     EXPECT_EQ(hands.state.suturing.driver, 0);
     EXPECT_EQ(hands.state.suturing.handover.second, -1);
-    EXPECT_EQ(hands.count(EventKind::kNeedleHandedOver), 0);
+    ASSERT_EQ(hands.count(EventKind::kNeedleHandedOver), 1);
+    EXPECT_EQ(hands.find(EventKind::kNeedleHandedOver)->element, -1) << "the first one kept it";
+}
+
+// Else hands could pull at it as they like, and the one that came last would let go again; or the
+// attempt would end before anybody does.
+TEST(NeedleHandover, WhatBothHandsDidIsToldWhoeverKeepsIt) {
+    TwoDrivers hands;
+    hands.other_jaws(0.6, 0);
+    hands.second.p += Vec3(0.4e-3, 0.3e-3, 0.5e-3);
+    hands.other(hands.second, 0);
+    hands.rest(600);
+    const float apart_n = hands.state.suturing.handover.apart_n;
+    EXPECT_GT(apart_n, 0.05F);
+    const auto told = [](const std::vector<sim::Event>& events) {
+        const auto found = std::find_if(events.begin(), events.end(), [](const sim::Event& e) {
+            return e.kind == EventKind::kNeedleHandedOver && e.element == -1;
+        });
+        return found == events.end() ? -1 : found->value2;
+    };
+    EXPECT_EQ(told(hands.events), -1);
+    EXPECT_EQ(told(sim::open_spells(hands.scene, hands.state)), apart_n) << "where it ends now";
+    hands.other_jaws(0, 0.6);
+    ASSERT_EQ(hands.state.suturing.driver, 0);
+    EXPECT_GE(told(hands.events), apart_n);
+}
+
+// A needle that is never let go has been turned all the same.
+TEST(NeedleHandover, HowFarItTurnedIsToldAtTheEnd) {
+    TwoDrivers hands;
+    const sim::Quat before = hands.needle().needle.q;
+    for (int i = 1; i <= 400; ++i) {
+        sim::Pose turned = hands.lifted() * hands.scene.needle_start.X_TN.inverse();
+        turned.q = turned.q * sim::test::turned(i * 1e-3, Vec3::UnitZ());
+        hands.driver(turned);
+        hands.frame();
+    }
+    const double turn = sim::turn_between(before, hands.needle().needle.q).norm();
+    ASSERT_GT(turn, 0.2);
+    EXPECT_EQ(hands.count(EventKind::kNeedleSwung), 0);
+    double told = 0;
+    for (const sim::Event& e : sim::open_spells(hands.scene, hands.state))
+        if (e.kind == EventKind::kNeedleSwung) told += static_cast<double>(e.value);
+    EXPECT_NEAR(told, turn, 0.05) << "counted in steps of two degrees";
 }
 
 // Let go before the other one closes: it is told, with nobody who held it in between.

@@ -177,7 +177,8 @@ enum class EventKind : uint16_t {
     kNeedleHandedOver = 115,  ///< it went to another driver, tool = this one: value = sine of half
                               ///< the angle by which it turned while both held it, value2 = largest
                               ///< force between them [N], element = how long both held it [ms]; 0
-                              ///< of all of these: it was let go in between
+                              ///< of all of these: it was let go in between. Element -1: both held
+                              ///< it, and it stayed with tool, or the attempt is over
     kNeedleSwung = 116,  ///< nobody holds it any more, or the attempt is over: value = how far it
                          ///< was turned in hands since it was taken [rad]
 };

@@ -203,8 +203,8 @@ void ledger_body(const Scene& scene, State& state) noexcept {
     }
 }
 
-/// A needle that slides or turns in its jaws.
-void open_jaw_slips(const State& state, std::vector<Event>& events) {
+/// A needle that slides or turns in its jaws, and one that hands hold.
+void open_needle_spells(const Scene& scene, const State& state, std::vector<Event>& events) {
     const Suturing& s = state.suturing;
     const auto add = [&](const JawSlip& slip, EventKind kind, int tool) {
         if (slip.s > 0) events.push_back(driver_event(state, kind, tool, slip.s, slip.peak));
@@ -213,6 +213,11 @@ void open_jaw_slips(const State& state, std::vector<Event>& events) {
     add(s.turn, EventKind::kNeedleTurned, s.driver);
     add(s.handover.slide, EventKind::kNeedleSlipped, s.handover.second);
     add(s.handover.turn, EventKind::kNeedleTurned, s.handover.second);
+    if (!has_two_drivers(scene) || s.driver < 0) return;
+    if (s.handover.second >= 0) events.push_back(held_by_both(state, s.driver, -1));
+    if (s.handover.swung_rad > 0)
+        events.push_back(
+            driver_event(state, EventKind::kNeedleSwung, s.driver, s.handover.swung_rad, 0));
 }
 
 /// Says what this ledger has, also where that is nothing: sums of over-stretch, tissue taken out.
@@ -239,7 +244,7 @@ std::vector<Event> open_spells(const Scene& scene, const State& state) {
         if (const auto pull = open_traction(state, t)) events.push_back(*pull);
         if (const auto slip = open_slip(state, t)) events.push_back(*slip);
     }
-    open_jaw_slips(state, events);
+    open_needle_spells(scene, state, events);
     return events;
 }
 

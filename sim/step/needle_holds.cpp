@@ -29,14 +29,11 @@ void tell_grip(const Scene& scene, State& state, int t, double arc_m) noexcept {
 
 /// From hand to hand: from jaws to jaws, or let go in between.
 void tell_handover(State& state, int to, bool both) noexcept {
-    const Suturing& s = state.suturing;
-    const Handover& h = s.handover;
-    // Turned by an angle, the vector of the quotient has the sine of its half.
-    const double half = (s.needle[0].needle.q * h.began.conjugate()).vec().norm();
-    Event e = driver_event(state, EventKind::kNeedleHandedOver, to,
-                           both ? static_cast<float>(half) : 0, both ? h.apart_n : 0);
-    e.element = both ? std::max(1, static_cast<int32_t>(1000 * h.both_s)) : 0;
-    add_event(state, e);
+    Event between = driver_event(state, EventKind::kNeedleHandedOver, to, 0, 0);
+    between.element = 0;
+    const double held_ms = 1000 * static_cast<double>(state.suturing.handover.both_s);
+    add_event(state,
+              both ? held_by_both(state, to, std::max(1, static_cast<int32_t>(held_ms))) : between);
 }
 
 void count_turn(Suturing& s) noexcept {
@@ -60,10 +57,6 @@ double firmness(const Scene& scene, const State& state, int t) noexcept {
 void end_jaw_slip(State& state, JawSlip& slip, EventKind kind, int tool) noexcept {
     if (slip.s > 0) add_event(state, driver_event(state, kind, tool, slip.s, slip.peak));
     slip = {};
-}
-
-Event swung_event(const State& state, int tool) noexcept {
-    return driver_event(state, EventKind::kNeedleSwung, tool, state.suturing.handover.swung_rad, 0);
 }
 
 void begin_hold(const Scene& scene, State& state, int t, double arc_m) noexcept {
@@ -102,7 +95,7 @@ void end_hold(const Scene& scene, State& state, int t) noexcept {
                                   first ? s.peak_n : h.peak_n));
     const int second = h.second;
     if (has_two_drivers(scene) && second < 0 && h.swung_rad > 0)
-        add_event(state, swung_event(state, t));
+        add_event(state, driver_event(state, EventKind::kNeedleSwung, t, h.swung_rad, 0));
     if (first && second >= 0) {
         tell_handover(state, second, true);
         let_go_needle(s.needle[0]);  // the second is the only one now
@@ -117,6 +110,8 @@ void end_hold(const Scene& scene, State& state, int t) noexcept {
         s.driver = -1;
         s.held_s = s.peak_n = 0;
     } else {
+        // What two hands did to it counts, though the first one has kept it.
+        add_event(state, held_by_both(state, s.driver, -1));
         let_go_second(s.needle[0]);
     }
     if (first) s.locked = 0;

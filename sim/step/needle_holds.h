@@ -25,7 +25,5 @@ void count_holds(const Scene& scene, State& state, double dt) noexcept;
 
 /// A slip is over, if there was one.
 void end_jaw_slip(State& state, JawSlip& slip, EventKind kind, int tool) noexcept;
-/// How far the needle turned in hands since this was told last. @pre a tool holds it.
-[[nodiscard]] Event swung_event(const State& state, int tool) noexcept;
 
 }  // namespace placode::sim

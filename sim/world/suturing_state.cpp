@@ -49,6 +49,16 @@ bool has_two_drivers(const Scene& scene) noexcept {
            }) > 1;
 }
 
+Event held_by_both(const State& state, int tool, int32_t element) noexcept {
+    const Suturing& s = state.suturing;
+    // Turned by an angle, the vector of the quotient has the sine of its half.
+    const double half = (s.needle[0].needle.q * s.handover.began.conjugate()).vec().norm();
+    Event e = driver_event(state, EventKind::kNeedleHandedOver, tool, static_cast<float>(half),
+                           s.handover.apart_n);
+    e.element = element;
+    return e;
+}
+
 Event driver_event(const State& state, EventKind kind, int tool, float value,
                    float value2) noexcept {
     Event e;

@@ -92,6 +92,10 @@ struct NeedlePull {
 /// A needle may go from hand to hand here.
 [[nodiscard]] bool has_two_drivers(const Scene& scene) noexcept;
 
+/// kNeedleHandedOver of a needle that two tools hold: how far it turned, how hard they pulled.
+/// @param element how long [ms], -1 = it is not handed over.
+[[nodiscard]] Event held_by_both(const State& state, int tool, int32_t element) noexcept;
+
 /// Event of a needle in the jaws of a tool, -1 = of none: not on the tissue, but where the jaws
 /// are.
 [[nodiscard]] Event driver_event(const State& state, EventKind kind, int tool, float value,
