@@ -234,15 +234,21 @@ bool is_an_amount(sim::EventKind kind) {
         case kNeedleHandedOver:
         case kNeedleSwung:
         case kNeedlePlaced:
+        case kBiteEntry:
+        case kBiteExit:
+        case kIrrigated:
+        case kUndermined:
             return true;
         default:
             return false;
     }
 }
 
-/// Its second value is a depth below the surface at rest, of a place that may lie above it.
-bool is_a_depth(sim::EventKind kind) {
-    return kind == sim::EventKind::kVaporised || kind == sim::EventKind::kSnipped;
+/// Its second value is a depth below the surface at rest, of a place that may lie above it; or the
+/// side of a line from a slit.
+bool has_a_sign(const sim::Event& event) {
+    return event.kind == sim::EventKind::kVaporised || event.kind == sim::EventKind::kSnipped ||
+           (event.kind == sim::EventKind::kUndermined && event.element >= 0);
 }
 
 /// A list after the last frame says in its head how long it is; who takes out what is bad says so.
@@ -278,8 +284,7 @@ Problem event_problem(const Recording& r) {
         if (!std::isfinite(event.value) || !std::isfinite(event.value2) ||
             !all_within(event.rest_position_m, kLargestM))
             return Said::that("event %1 has a value that is no number").with(at);
-        const float least =
-            is_a_depth(event.kind) ? event.value : std::min(event.value, event.value2);
+        const float least = has_a_sign(event) ? event.value : std::min(event.value, event.value2);
         if (is_an_amount(event.kind) && least < 0)
             return Said::that("event %1 (%2) has the value %3, expected 0 or more")
                 .with(at)

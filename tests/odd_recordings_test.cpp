@@ -21,6 +21,7 @@ namespace placode::assessment {
 namespace THIS_TEST {
 
 constexpr int kRecordings = 200;
+constexpr int kEventKinds = static_cast<int>(sim::EventKind::kNeedleSwung) + 1;
 
 class OddMaker {
  public:
@@ -30,7 +31,8 @@ class OddMaker {
         sim::Recording recording;
         recording.header.sample_s = pick<double>({0.01, 0.01, 0.01, 0, -1, NAN, 1e300});
         recording.header.tools.resize(static_cast<size_t>(below(7)));
-        for (auto& tool : recording.header.tools) tool.kind = static_cast<sim::ToolKind>(below(5));
+        for (auto& tool : recording.header.tools)
+            tool.kind = static_cast<sim::ToolKind>(below(sim::kToolKinds));
         if (below(4) > 0) add_field(recording.header.geometry);
         rate_ = pick<double>({0.01, 0.3, 0});
         const int samples = pick<int>({0, 1, 2, 3, 9, 10, 40, 300});
@@ -96,7 +98,7 @@ class OddMaker {
     sim::Event event() {
         sim::Event e;
         e.time_s = number(5);
-        e.kind = static_cast<sim::EventKind>(below(90));
+        e.kind = static_cast<sim::EventKind>(below(kEventKinds));
         e.tool = static_cast<int8_t>(below(6) - 1);
         e.tissue = static_cast<sim::Tissue>(below(8));
         e.value = single(1);

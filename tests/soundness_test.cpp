@@ -63,7 +63,8 @@ TEST(Soundness, NothingHarmfulIsLessThanNone) {
          {EventKind::kTorn, EventKind::kPlacodeContact, EventKind::kOverForce, EventKind::kBuried,
           EventKind::kWatertight, EventKind::kThreadDrawn, EventKind::kStretchSum,
           EventKind::kPatchFold, EventKind::kSlitPressed, EventKind::kNeedleHandedOver,
-          EventKind::kNeedleSwung}) {
+          EventKind::kNeedleSwung, EventKind::kBiteEntry, EventKind::kBiteExit,
+          EventKind::kIrrigated, EventKind::kUndermined}) {
         auto r = sound();
         r.events = {event(kind, 1e-9F, 1e-3F)};
         EXPECT_EQ(problem(r), "") << event_name(kind);
