@@ -64,13 +64,11 @@ void note(const Event& e, const Prick& prick, Bite& bite) {
 }
 
 /// A channel without thread holds nothing, however long ago and well it was sewn.
-void note_lost(const Event& e, std::vector<Bite>& bites) {
+void note_lost(const Event& e, Bite& bite) {
     if (e.kind != EventKind::kThreadToreOut && e.kind != EventKind::kThreadOut) return;
-    for (Bite& bite : bites) {
-        if (!bite.left || (e.hash != bite.first_channel && e.hash != bite.channel)) continue;
-        bite.lost = true;
-        bite.done = false;
-    }
+    if (!bite.left || (e.hash != bite.first_channel && e.hash != bite.channel)) return;
+    bite.lost = true;
+    bite.done = false;
 }
 
 double across_m(const Bite& bite, const Vec3& place) {
@@ -123,7 +121,7 @@ std::vector<Bite> bites_of(const sim::Recording& recording) {
     Prick prick;
     for (const Event& e : recording.events) {
         prick.note(e);
-        note_lost(e, bites);
+        for (Bite& bite : bites) note_lost(e, bite);
         if (e.kind == EventKind::kBiteMark) {
             if (bites.empty() || bites.back().number != e.element) {
                 bites.emplace_back();
@@ -143,7 +141,9 @@ std::optional<Bite> last_bite(const sim::Recording& recording) {
     for (const Event& e : recording.events) {
         prick.note(e);
         if (e.kind == EventKind::kBiteEntry && (!bite || bite->left)) bite.emplace();
-        if (bite) note(e, prick, *bite);
+        if (!bite) continue;
+        note(e, prick, *bite);
+        note_lost(e, *bite);
     }
     return bite;
 }

@@ -295,8 +295,8 @@ constexpr MetricDefinition kMetrics[] = {
      "upright.",
      "after Kazemi et al. 2010"},
     {"bites_done", "Bites done", "", kHigherIsBetter,
-     "Bites of a row that came out, through which all of the needle was drawn, and whose thread is "
-     "still in them.",
+     "Bites that came out, through which all of the needle was drawn, and whose thread is still in "
+     "them.",
      "Placode"},
     {"bite_entry_worst_mm", "Entry beside its mark, worst bite", "mm", kLowerIsBetter,
      "Largest distance of an entry from its mark, over the bites of a row.", "Placode"},

@@ -44,6 +44,8 @@ void add_suture_metrics(const sim::Recording& recording, std::vector<Metric>& ou
     if (const std::optional<Bite> bite = last_bite(recording)) {
         if (bite->left) out.push_back({"bite_depth_mm", 1e3 * bite->depth_m});
         out.push_back({"bite_angle_deg", bite->angle_rad * 180 / std::numbers::pi});
+        // A row counts its own.
+        if (bites_of(recording).empty()) out.push_back({"bites_done", bite->done ? 1.0 : 0.0});
     }
     out.push_back({"needle_entries", count_of(recording, {EventKind::kNeedleEntered})});
     out.push_back(

@@ -271,6 +271,9 @@ class AttemptMaker {
             put(recording, EventKind::kNeedleLeft, 3, 0.025, 0.0012, 0.006, 0.003);
             put(recording, sim::EventKind::kBiteExit, 3, 1, 0.0002, 0.006, 0.003);
         }
+        for (int s = 0; s < done && !is_row(kinds); ++s)
+            if (kinds[static_cast<size_t>(s)] == sim::PracticeKind::kNeedleThrough)
+                put(recording, EventKind::kNeedleThrough, 2 + s, 0, 0, 0.006, 0.002);
         if (std::count(kinds.begin(), kinds.end(), sim::PracticeKind::kThreadDraw) > 0)
             shut(recording, share);
         for (int bin = 0; bin < static_cast<int>(std::lround(share * sim::kTraceBins)); ++bin)

@@ -321,7 +321,7 @@ TEST_P(ScoringProperties, NobodyPassesWithABiteLeftOut) {
             return step.goal.kind == sim::PracticeKind::kNeedleIn;
         });
     if (bites == 0) return;
-    for (int left_out = 0; bites > 1 && left_out < bites; ++left_out) {
+    for (int left_out = 0; left_out < bites; ++left_out) {
         sim::Recording recording = done(task, 1);
         int bite = 0;
         std::erase_if(recording.events, [&](const sim::Event& e) {
@@ -330,7 +330,6 @@ TEST_P(ScoringProperties, NobodyPassesWithABiteLeftOut) {
         EXPECT_EQ(bite, bites);
         const Score score = score_of(task, recording);
         EXPECT_EQ(score.verdict, Verdict::kFailed) << left_out << told(score);
-        EXPECT_LT(score.points, 100) << left_out;
     }
     const auto steps = static_cast<double>(task.steps.size());
     const bool drawn = task.steps.back().goal.kind == sim::PracticeKind::kThreadDraw;

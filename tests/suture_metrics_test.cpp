@@ -63,6 +63,28 @@ TEST(SutureMetrics, TheLastBiteCountsAndTroublesAreCounted) {
         EXPECT_EQ(locate(id, 0, recording).count, *measured(recording).find(id)) << id;
 }
 
+TEST(SutureMetrics, ABiteIsDoneWhenTheNeedleIsThroughIt) {
+    sim::Recording recording = with_driver();
+    const auto told = [&](EventKind kind, uint64_t channel) {
+        add(recording, kind);
+        recording.events.back().hash = channel;
+        return measured(recording).find("bites_done");
+    };
+    EXPECT_FALSE(told(EventKind::kNeedleEntered, 1)) << "not yet a bite of the task";
+    EXPECT_EQ(told(EventKind::kBiteEntry, 0), 0);
+    EXPECT_EQ(told(EventKind::kNeedleLeft, 1), 0);
+    EXPECT_EQ(told(EventKind::kBiteExit, 0), 0);
+    // Drawn back, and run through elsewhere.
+    EXPECT_EQ(told(EventKind::kNeedleWithdrawn, 1), 0);
+    EXPECT_EQ(told(EventKind::kNeedleEntered, 2), 0);
+    EXPECT_EQ(told(EventKind::kNeedleLeft, 2), 0);
+    EXPECT_EQ(told(EventKind::kNeedleThrough, 2), 0);
+    EXPECT_EQ(told(EventKind::kNeedleThrough, 1), 1);
+    EXPECT_EQ(told(EventKind::kThreadCut, 1), 1);
+    EXPECT_EQ(told(EventKind::kThreadToreOut, 2), 1);
+    EXPECT_EQ(told(EventKind::kThreadToreOut, 1), 0) << "it holds nothing any more";
+}
+
 // Else a steep and deep prick anywhere would stand for a bite that is flat and shallow.
 TEST(SutureMetrics, APrickBesideTheBiteSaysNothingOfIt) {
     sim::Recording recording = with_driver();

@@ -283,10 +283,9 @@ namespace {
         "MetricDefinition",
         "Where most passes at the pressure at which the slit bursts, from its left end, or its "
         "upper one where it runs up and down; nothing where it holds to the end of the test."),
-    QT_TRANSLATE_NOOP(
-        "MetricDefinition",
-        "Bites of a row that came out, through which all of the needle was drawn, and "
-        "whose thread is still in them."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Bites that came out, through which all of the needle was drawn, and whose "
+                      "thread is still in them."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Largest distance of an entry from its mark, over the bites of a row."),
     QT_TRANSLATE_NOOP("MetricDefinition",

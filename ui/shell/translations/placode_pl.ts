@@ -3911,8 +3911,8 @@
         <translation>Kąt między drogą igły a powierzchnią w spoczynku w miejscu wkłucia ostatniego ściegu, 90 = prostopadle.</translation>
     </message>
     <message>
-        <source>Bites of a row that came out, through which all of the needle was drawn, and whose thread is still in them.</source>
-        <translation>Ściegi szwu ciągłego, w których igła wyszła i przeszła cała na wylot, a nić nadal w nich tkwi.</translation>
+        <source>Bites that came out, through which all of the needle was drawn, and whose thread is still in them.</source>
+        <translation>Ściegi, w których igła wyszła i przeszła cała na wylot, a nić nadal w nich tkwi.</translation>
     </message>
     <message>
         <source>Share of a slit along which its edges stand at most 0.2 mm apart at the end, at the depth where they are nearest.</source>
