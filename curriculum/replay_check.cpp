@@ -52,7 +52,8 @@ bool same(const sim::FieldGeometry& a, const sim::FieldGeometry& b) {
            a.placode_volume_m3 == b.placode_volume_m3;
 }
 
-/// But for the grip, which is the device's.
+/// But for the grip, which is the device's, and for where a scope looks first, which its recorded
+/// poses say and older recordings do not have.
 bool same(const sim::ToolSpec& a, const sim::ToolSpec& b) {
     return a.kind == b.kind && a.hand == b.hand && a.pivot_m == b.pivot_m &&
            a.shaft_radius_m == b.shaft_radius_m && a.length_m == b.length_m &&

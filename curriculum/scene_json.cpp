@@ -417,7 +417,9 @@ OperativeFieldSpec scene_from_json(const Json& scene, const std::string& origin,
         if (scene.contains("plane")) visit_plane(Reader{scene["plane"]}, spec.plane.emplace());
         for (const Json& tool : scene.value("tools", Json::array())) {
             visit_tool(Reader{tool}, spec.tools.emplace_back());
-            spec.tools.back().jaws_spread = tool.value("jaws_spread", false);
+            ToolSpec& read = spec.tools.back();
+            read.jaws_spread = tool.value("jaws_spread", false);
+            read.look_from_m = tool.value("look_from_m", read.look_from_m);
         }
     } catch (const Json::exception& error) {
         // Only reachable when schema and code disagree.
@@ -457,6 +459,7 @@ Json scene_to_json(const OperativeFieldSpec& spec) {
         Json& entry = scene["tools"].emplace_back(Json::object());
         visit_tool(Writer{entry}, tool);
         if (tool.jaws_spread) entry["jaws_spread"] = true;
+        if (tool.look_from_m != ToolSpec{}.look_from_m) entry["look_from_m"] = tool.look_from_m;
     }
     return scene;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <set>
 
+#include "curriculum/first_view.h"
 #include "curriculum/json_reader.h"
 #include "curriculum/shipped_definitions.h"
 #include "sim/core/near_word.h"
@@ -216,6 +217,7 @@ Task read_task(const Json& json, const std::string& origin) {
                               "found " + std::to_string(task.scene.tools.size()) +
                                   " tools; expected 1 to " + std::to_string(sim::kMaxTools));
     }
+    aim_scopes(task);
 
     // What a recording carries: every number spelled out, so that a later default changes nothing.
     Json resolved = json;

@@ -97,24 +97,29 @@ class Reader {
 };
 
 QJsonObject tool_to_json(const sim::ToolSpec& tool) {
-    return {{"kind", static_cast<int>(tool.kind)},
-            {"hand", static_cast<int>(tool.hand)},
-            {"pivot_m", array_of(tool.pivot_m)},
-            {"shaft_radius_m", tool.shaft_radius_m},
-            {"length_m", tool.length_m},
-            {"tip_radius_m", tool.tip_radius_m},
-            {"tip_length_m", tool.tip_length_m},
-            {"scope_angle_deg", tool.scope_angle_deg},
-            {"field_of_view_deg", tool.field_of_view_deg},
-            {"cut_power_w", tool.cut_power_w},
-            {"coag_power_w", tool.coag_power_w},
-            {"efficiency", tool.efficiency},
-            {"grip_n_m", tool.hand_n_m},
-            {"jaw_open_rad", tool.jaw_open_rad},
-            {"jaw_width_m", tool.jaw_width_m},
-            {"jaw_grip_m", tool.jaw_touch_m},
-            {"jaw_force_n", tool.jaw_force_n},
-            {"jaw_friction", tool.jaw_friction}};
+    QJsonObject json{{"kind", static_cast<int>(tool.kind)},
+                     {"hand", static_cast<int>(tool.hand)},
+                     {"pivot_m", array_of(tool.pivot_m)},
+                     {"shaft_radius_m", tool.shaft_radius_m},
+                     {"length_m", tool.length_m},
+                     {"tip_radius_m", tool.tip_radius_m},
+                     {"tip_length_m", tool.tip_length_m},
+                     {"scope_angle_deg", tool.scope_angle_deg},
+                     {"field_of_view_deg", tool.field_of_view_deg},
+                     {"cut_power_w", tool.cut_power_w},
+                     {"coag_power_w", tool.coag_power_w},
+                     {"efficiency", tool.efficiency},
+                     {"grip_n_m", tool.hand_n_m},
+                     {"jaw_open_rad", tool.jaw_open_rad},
+                     {"jaw_width_m", tool.jaw_width_m},
+                     {"jaw_grip_m", tool.jaw_touch_m},
+                     {"jaw_force_n", tool.jaw_force_n},
+                     {"jaw_friction", tool.jaw_friction}};
+    if (tool.kind == sim::ToolKind::kScope) {
+        json["look_at_m"] = array_of(tool.look_at_m);
+        json["look_from_m"] = tool.look_from_m;
+    }
+    return json;
 }
 
 sim::ToolSpec tool_from_json(const Reader& json) {
@@ -141,6 +146,9 @@ sim::ToolSpec tool_from_json(const Reader& json) {
     tool.jaw_touch_m = json.number("jaw_grip_m", tool.jaw_touch_m);
     tool.jaw_force_n = json.number("jaw_force_n", tool.jaw_force_n);
     tool.jaw_friction = json.number("jaw_friction", tool.jaw_friction);
+    // Older scopes looked at the lesion.
+    if (json.has("look_at_m")) tool.look_at_m = json.point("look_at_m");
+    tool.look_from_m = json.number("look_from_m", tool.look_from_m);
     return tool;
 }
 

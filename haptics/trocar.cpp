@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace placode::haptics {
 
@@ -11,6 +12,14 @@ namespace {
 
 constexpr double kMinOutsideM = 0.010;  // The handle never enters the port.
 constexpr double kTinyM = 1e-6;         // Below this a direction means nothing.
+constexpr double kSeenShare = 0.78;     // of half the field of view, from its axis: well inside
+constexpr double kFarthestLookM = 0.040;
+
+/// Above the lesion's edge on the instrument's own side, inside the picture.
+Vec3 hand_home_m(const sim::ToolSpec& tool) {
+    const double side = tool.pivot_m.y() < 0 ? -1 : 1;
+    return {-0.003, 0.007 * side, 0.014};
+}
 
 }  // namespace
 
@@ -116,8 +125,8 @@ Vec3 Trocar::device_force(const Vec3& tip_force_n) const noexcept {
     return settings_.scale * (settings_.R_WD.transpose() * (map.transpose() * tip_force_n));
 }
 
-Mat3 camera_basis(const Vec3& scope_pivot_m) {
-    const Vec3 towards = scope_pivot_m.normalized();
+Mat3 camera_basis(const Vec3& to_port_m) {
+    const Vec3 towards = to_port_m.normalized();
     Vec3 up = Vec3::UnitX() - Vec3::UnitX().dot(towards) * towards;
     if (up.norm() < 0.1) up = Vec3::UnitZ() - Vec3::UnitZ().dot(towards) * towards;
     Mat3 basis;
@@ -127,15 +136,29 @@ Mat3 camera_basis(const Vec3& scope_pivot_m) {
     return basis;
 }
 
+Vec3 scope_home_m(std::span<const sim::ToolSpec> tools, const sim::ToolSpec& scope) {
+    const Vec3 back = (scope.pivot_m - scope.look_at_m).normalized();
+    const double half_rad = scope.field_of_view_deg / 2 * std::numbers::pi / 180;
+    const double slope = std::tan(kSeenShare * half_rad);
+    double needed = 0;
+    for (const auto& tool : tools) {
+        if (tool.kind == sim::ToolKind::kScope) continue;
+        const Vec3 home = hand_home_m(tool) - scope.look_at_m;
+        const double along = home.dot(back);
+        needed = std::max(needed, along + (home - along * back).norm() / slope);
+    }
+    return scope.look_at_m + std::max(scope.look_from_m, std::min(needed, kFarthestLookM)) * back;
+}
+
 std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools,
                                             std::string_view device) {
     if (device == "script:mouse") device = "mouse";  // a script that moves a mouse
     const bool tip =
         device == "mouse" || device == "keyboard" || device == "gamepad" || device == "spacemouse";
-    Vec3 scope_pivot(-0.045, 0, 0.075);
+    Vec3 to_port(-0.045, 0, 0.075);
     for (const auto& tool : tools)
-        if (tool.kind == sim::ToolKind::kScope) scope_pivot = tool.pivot_m;
-    const Mat3 camera = camera_basis(scope_pivot);
+        if (tool.kind == sim::ToolKind::kScope) to_port = tool.pivot_m - tool.look_at_m;
+    const Mat3 camera = camera_basis(to_port);
     // An arm on the desk is level with the operator, who stands at the caudal side.
     Mat3 desk;
     desk.col(0) = -Vec3::UnitY();
@@ -156,13 +179,8 @@ std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools
         settings.mapping = tip ? Mapping::kTip : Mapping::kHandle;
         settings.R_WD = tip ? camera : desk;
         if (flat && tool.kind != sim::ToolKind::kScope) settings.R_WD = level;
-        if (tool.kind == sim::ToolKind::kScope) {
-            settings.home_tip_m = kScopeDistanceM * tool.pivot_m.normalized();
-        } else {
-            // Above the lesion's edge on the instrument's own side, inside the picture.
-            const double side = tool.pivot_m.y() < 0 ? -1 : 1;
-            settings.home_tip_m = Vec3(-0.003, 0.007 * side, 0.014);
-        }
+        settings.home_tip_m =
+            tool.kind == sim::ToolKind::kScope ? scope_home_m(tools, tool) : hand_home_m(tool);
         out.push_back(settings);
     }
     return out;

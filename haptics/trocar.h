@@ -56,17 +56,18 @@ class Trocar {
     void map_tip(const Vec3& hand_m, Vec3& tip_m, Vec3& shaft) noexcept;
 };
 
-/// Axes of the endoscope's picture in W, as columns: right, up, towards the viewer. The camera
-/// looks from the scope's port at the lesion's centre, cranial up (which puts the fetus' right side
+/// Axes of the endoscope's picture in W, as columns: right, up, towards the viewer. `to_port_m`:
+/// from what the scope looks at to its port. Cranial is up (which puts the fetus' right side
 /// right).
-[[nodiscard]] Mat3 camera_basis(const Vec3& scope_pivot_m);
+[[nodiscard]] Mat3 camera_basis(const Vec3& to_port_m);
+
+/// Where the tip of `scope` is at home: between its port and `look_at_m`, `look_from_m` away, or as
+/// much farther (40 mm at most) as it takes to see where the other tools begin.
+[[nodiscard]] Vec3 scope_home_m(std::span<const sim::ToolSpec> tools, const sim::ToolSpec& scope);
 
 /// Tools that go in and out through the port of `tools[i]`, in turns with it: bit k for tool k. A
 /// scope has its port for itself.
 [[nodiscard]] uint32_t others_in_port(std::span<const sim::ToolSpec> tools, size_t i) noexcept;
-
-/// Distance of the scope's tip from the lesion's centre at home [m].
-inline constexpr double kScopeDistanceM = 0.030;
 
 /// Mapping and home pose of every tool for a device: mouse, keyboard and gamepad move the tip in
 /// the image plane; scripts and haptic arms hold the handle outside, so that the port inverts.

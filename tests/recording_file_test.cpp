@@ -527,4 +527,20 @@ TEST(RecordingFile, AHeaderWithAWrongKindOfValueNamesTheKey) {
     }
 }
 
+TEST(RecordingFile, SaysWhereTheScopeLookedFirstAndOlderOnesLookedAtTheLesion) {
+    sim::RecordingHeader header = make_header();
+    header.tools[0].kind = sim::ToolKind::kScope;
+    header.tools[0].look_at_m = sim::Vec3(0.011, 0, 0);
+    header.tools[0].look_from_m = 0.038;
+    std::string json = db::header_to_json(header);
+    const sim::ToolSpec scope = db::header_from_json(json).tools[0];
+    EXPECT_EQ(scope.look_at_m, header.tools[0].look_at_m);
+    EXPECT_EQ(scope.look_from_m, 0.038);
+    for (const std::string key : {"look_at_m", "look_from_m"})
+        json.replace(json.find(key), key.size(), "x" + key.substr(1));
+    const sim::ToolSpec older = db::header_from_json(json).tools[0];
+    EXPECT_TRUE(older.look_at_m.isZero());
+    EXPECT_EQ(older.look_from_m, sim::ToolSpec{}.look_from_m);
+}
+
 }  // namespace THIS_TEST

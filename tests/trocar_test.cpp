@@ -177,6 +177,39 @@ TEST(DefaultTrocars, LookWithTheScopeAtTheLesionFromThirtyMillimetres) {
     }
 }
 
+TEST(DefaultTrocars, LookAtTheWorkFromWhereTheHandsAreSeenToo) {
+    sim::ToolSpec left = needle();
+    left.hand = sim::Hand::kLeft;
+    left.pivot_m = Vec3(0.0105, 0.085, 0.029);
+    std::vector<sim::ToolSpec> tools{needle(), left, scope()};
+    tools[2].look_at_m = Vec3(0.011, 0, 0);
+    for (const char* device : {"mouse", "script:expert"}) {
+        const auto trocars = default_trocars(tools, device);
+        const sim::Pose pose = Trocar(tools[2], trocars[2]).tip_pose(DeviceState{});
+        const Vec3 to_work = tools[2].look_at_m - pose.p;
+        EXPECT_LT((pose.q * Vec3::UnitZ() - to_work.normalized()).norm(), 1e-9) << device;
+        EXPECT_LT((pose.p - tools[2].pivot_m).cross(to_work).norm(), 1e-9)
+            << "in line with its port";
+        EXPECT_GT(to_work.norm(), 0.030) << "drawn back";
+        EXPECT_LT(to_work.norm(), 0.036);
+        for (size_t i = 0; i < 2; ++i) {
+            const Vec3 to_tip = trocars[i].home_tip_m - pose.p;
+            const double angle =
+                std::acos(to_tip.normalized().dot(to_work.normalized())) * 180 / M_PI;
+            EXPECT_LT(angle, 28) << "half of the 70 degree picture, less a margin; tool " << i;
+        }
+    }
+    // The hands begin where they always do.
+    const auto before = default_trocars(std::vector<sim::ToolSpec>{needle(), scope()}, "mouse");
+    EXPECT_EQ(default_trocars(tools, "mouse")[0].home_tip_m, before[0].home_tip_m);
+}
+
+TEST(DefaultTrocars, LookFromAsFarAsTheSceneSays) {
+    std::vector<sim::ToolSpec> tools{needle(), scope()};
+    tools[1].look_from_m = 0.038;
+    EXPECT_NEAR(default_trocars(tools, "mouse")[1].home_tip_m.norm(), 0.038, 1e-9);
+}
+
 TEST(DefaultTrocars, PutTheNeedleAboveTheEdgeInsideThePicture) {
     const std::vector<sim::ToolSpec> tools{needle(), scope()};
     const auto trocars = default_trocars(tools, "mouse");

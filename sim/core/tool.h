@@ -51,6 +51,9 @@ struct ToolSpec {
     double tip_length_m = 0.0025;   ///< Exposed needle, jaw or blade length.
     double scope_angle_deg = 0;     ///< View angle of a scope.
     double field_of_view_deg = 70;  ///< Diagonal, scope only.
+    // What a scope shows at first; haptics/trocar.h says from where.
+    Vec3 look_at_m = Vec3::Zero();  ///< The middle of its picture, in W: the lesion's centre.
+    double look_from_m = 0.030;     ///< Way of its tip to there, at least [m].
     double cut_power_w = 12;        ///< Generator setting, yellow pedal.
     double coag_power_w = 12;       ///< Generator setting, blue pedal.
     double efficiency = 0.5;        ///< Share of the power that reaches tissue.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/trocar.h"
+
 namespace placode::view {
 
 using namespace sim;
@@ -51,10 +53,14 @@ Camera camera_of(const Snapshot& snapshot, const std::vector<ToolSpec>& tools) {
     for (int i = 0; i < snapshot.tool_count; ++i) {
         const ToolSnapshot& tool = snapshot.tools[static_cast<size_t>(i)];
         if (tool.kind != ToolKind::kScope) continue;
-        // Before the first input nobody holds the scope: it would look from inside the tissue.
-        if (tool.pose.p.isZero(1e-9)) break;
         const ToolSpec spec =
             static_cast<size_t>(i) < tools.size() ? tools[static_cast<size_t>(i)] : ToolSpec{};
+        // Before the first input nobody holds the scope: it would look from inside the tissue.
+        if (tool.pose.p.isZero(1e-9)) {
+            if (spec.kind != ToolKind::kScope) break;
+            return look_at(1000 * haptics::scope_home_m(tools, spec), 1000 * spec.look_at_m,
+                           spec.field_of_view_deg);
+        }
         Camera camera;
         camera.position_mm = 1000 * tool.pose.p;
         camera.half_angle_rad = half_angle(spec.field_of_view_deg);

@@ -19,7 +19,8 @@ struct Camera {
 };
 
 /// From the scope among the snapshot's tools, whose axes are x right, y down, z into the picture
-/// (turned down by the angle of an oblique optic); a default view of the lesion when there is none.
+/// (turned down by the angle of an oblique optic). Before anybody holds the scope from where it
+/// begins; a default view of the lesion when there is none.
 [[nodiscard]] Camera camera_of(const sim::Snapshot& snapshot,
                                const std::vector<sim::ToolSpec>& tools);
 
