@@ -38,6 +38,7 @@ constexpr KindRule kRules[]{
     {EventKind::kSlipped, HarmLane::kForce, false, false, false},
     {EventKind::kNeedleSlipped, HarmLane::kForce, true, false, false},
     {EventKind::kNeedleTurned, HarmLane::kForce, true, false, false},
+    {EventKind::kNeedleDropped, HarmLane::kForce, false, false, false},
     {EventKind::kThreadCut, HarmLane::kTissue, false, false, false},
     {EventKind::kThreadToreOut, HarmLane::kTissue, false, false, false},
     {EventKind::kBuried, HarmLane::kTissue, true, false, false},

@@ -102,7 +102,7 @@ void AttemptFrames::sample(const sim::State& state, std::span<const sim::ToolInp
     book.write(sample);
     for (const sim::Event& event : practice_.see(state, inputs, sample)) {
         book.write(event);
-        if (event.kind == EventKind::kTargetMissed) warnings_.say("Beside the mark", state.time_s);
+        warnings_.hear(event);
     }
 }
 

@@ -31,6 +31,8 @@ const char* phrase_of(EventKind kind) {
             return "Needle slips in the jaws";
         case EventKind::kNeedleTurned:
             return "Needle turns in the jaws";
+        case EventKind::kNeedleDropped:
+            return "Needle dropped";
         case EventKind::kThreadCut:
             return "Thread cuts through tissue";
         case EventKind::kThreadToreOut:
@@ -45,6 +47,8 @@ const char* phrase_of(EventKind kind) {
             return "Placode burned";
         case EventKind::kNoRoomToCut:
             return "No more cuts in this scene";
+        case EventKind::kTargetMissed:
+            return "Beside the mark";
         default:
             return nullptr;
     }
@@ -60,6 +64,11 @@ void LiveWarnings::say(const char* phrase, double time_s) noexcept {
     phrase_.fill('\0');
     std::strncpy(phrase_.data(), phrase, phrase_.size() - 1);
     said_s_ = time_s;
+}
+
+void LiveWarnings::hear(const sim::Event& event) noexcept {
+    const char* phrase = phrase_of(event.kind);
+    if (phrase != nullptr) say(phrase, event.time_s);
 }
 
 void LiveWarnings::ring_closed(double time_s) noexcept {

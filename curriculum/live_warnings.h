@@ -27,8 +27,8 @@ class LiveWarnings {
     [[nodiscard]] std::span<const sim::Event> end(double time_s) noexcept {
         return buried_.end(time_s);
     }
-    /// A warning of somebody else's. The newest wins.
-    void say(const char* phrase, double time_s) noexcept;
+    /// An event of the steps of practice: some are warned of. The newest wins.
+    void hear(const sim::Event& event) noexcept;
 
     /// The ring is whole and the task ends with it: what is left to do.
     void ring_closed(double time_s) noexcept;
@@ -37,6 +37,7 @@ class LiveWarnings {
     [[nodiscard]] double said_s() const noexcept { return said_s_; }  ///< Simulated time.
 
  private:
+    void say(const char* phrase, double time_s) noexcept;
     void look_at_energy(const sim::State& state, std::span<const sim::ToolInput> inputs, size_t i,
                         bool sampled) noexcept;
 

@@ -70,6 +70,8 @@ const char* deed_of(const assessment::LedgerEntry& entry) {
             return "Needle slid in the jaws";
         case EventKind::kNeedleTurned:
             return "Needle turned in the jaws";
+        case EventKind::kNeedleDropped:
+            return "Needle dropped";
         case EventKind::kThreadCut:
             return "Thread cut through tissue";
         case EventKind::kThreadToreOut:
@@ -118,6 +120,8 @@ QString numbers_of(const assessment::LedgerEntry& entry) {
             return QStringLiteral("%1 N/mm").arg(local(entry.value / 1000, 2));
         case EventKind::kSlipped:
             return QStringLiteral("%1 mm").arg(local(1000 * entry.value, 1));
+        case EventKind::kNeedleDropped:  // from so high
+            return QStringLiteral("%1 mm").arg(local(1000 * entry.value2, 1));
         default:
             return cubic(entry.value);
     }

@@ -56,6 +56,20 @@ TEST(Ledger, APlacodeContactStandsWhereAndWhenItLasted) {
     EXPECT_FALSE(entries[0].critical);
 }
 
+TEST(Ledger, ADroppedNeedleStandsWhereItWasLetGo) {
+    Event dropped = event(EventKind::kNeedleDropped, 12, 6, 0.010F, 0);
+    dropped.value2 = 0.008F;
+    const auto entries = damage_ledger(std::vector<Event>{dropped}, field());
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_EQ(entries[0].kind, EventKind::kNeedleDropped);
+    EXPECT_EQ(entries[0].lane, HarmLane::kForce);
+    EXPECT_DOUBLE_EQ(entries[0].from_s, 12) << "its first value is a step and no duration";
+    EXPECT_DOUBLE_EQ(entries[0].to_s, 12);
+    EXPECT_FLOAT_EQ(static_cast<float>(entries[0].value2), 0.008F);
+    EXPECT_EQ(entries[0].hour, 12);
+    EXPECT_FALSE(entries[0].critical);
+}
+
 TEST(Ledger, CuttingTheZoneIsTheTaskAndNoDamage) {
     std::vector<Event> events{event(EventKind::kVaporised, 1, 1e-10F, 0, 0.0055F),
                               event(EventKind::kSnipped, 1.2, 1e-6F, 0, 0.0055F)};

@@ -34,5 +34,24 @@ TEST(LiveWarnings, ASpellOfCurrentIsSaidWhileThePedalIsDown) {
     EXPECT_EQ(said_at(2.6), 2);
 }
 
+TEST(LiveWarnings, ANeedleThatIsDroppedIsSaidAndOneThatIsLaidDownIsNot) {
+    const sim::Scene scene = sim::test::box_scene({});
+    LiveWarnings warnings(scene);
+    sim::Event event;
+    event.kind = sim::EventKind::kNeedleLaid;
+    event.time_s = 3;
+    warnings.hear(event);
+    EXPECT_LT(warnings.said_s(), 0);
+    event.kind = sim::EventKind::kNeedleDropped;
+    event.time_s = 4;
+    warnings.hear(event);
+    EXPECT_EQ(warnings.said_s(), 4);
+    EXPECT_EQ(std::string_view(warnings.phrase().data()), "Needle dropped");
+    event.kind = sim::EventKind::kTargetMissed;
+    event.time_s = 5;
+    warnings.hear(event);
+    EXPECT_EQ(std::string_view(warnings.phrase().data()), "Beside the mark");
+}
+
 }  // namespace THIS_TEST
 }  // namespace placode::curriculum

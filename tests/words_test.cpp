@@ -88,6 +88,15 @@ TEST_F(WordsTest, NumbersBeyondAMillionAndNamesOfMetricsAreKept) {
         QString("PL Not recorded, so this is no pass: Tip stuck in tissue."));
 }
 
+TEST(Words, ADroppedNeedleSaysFromHowHighItFell) {
+    assessment::LedgerEntry entry;
+    entry.kind = sim::EventKind::kNeedleDropped;
+    entry.lane = assessment::HarmLane::kForce;
+    entry.value = 6;  // the step
+    entry.value2 = 0.008;
+    EXPECT_EQ(ledger_words(entry), "Needle dropped, " + QLocale().toString(8.0, 'f', 1) + " mm");
+}
+
 TEST(Words, AnEducatorsOwnWordingIsSaidInItsOwnLanguage) {
     const QLocale before;
     assessment::Reason reason = reason_of("My own words, {value} {unit}.", 12.25, 0, 0, "dwell_s");

@@ -166,6 +166,7 @@ namespace {
     QT_TRANSLATE_NOOP("Attempt", "Grasp slips"),
     QT_TRANSLATE_NOOP("Attempt", "Needle slips in the jaws"),
     QT_TRANSLATE_NOOP("Attempt", "Needle turns in the jaws"),
+    QT_TRANSLATE_NOOP("Attempt", "Needle dropped"),
     QT_TRANSLATE_NOOP("Attempt", "Thread cuts through tissue"),
     QT_TRANSLATE_NOOP("Attempt", "Thread torn out"),
     QT_TRANSLATE_NOOP("Attempt", "Tissue crushed"),

@@ -407,6 +407,7 @@ namespace {
     QT_TRANSLATE_NOOP("Ledger", "Slid out of the jaws"),
     QT_TRANSLATE_NOOP("Ledger", "Needle slid in the jaws"),
     QT_TRANSLATE_NOOP("Ledger", "Needle turned in the jaws"),
+    QT_TRANSLATE_NOOP("Ledger", "Needle dropped"),
     QT_TRANSLATE_NOOP("Ledger", "Thread cut through tissue"),
     QT_TRANSLATE_NOOP("Ledger", "Thread tore out of tissue"),
     QT_TRANSLATE_NOOP("Ledger", "Placode torn"),

@@ -2644,6 +2644,10 @@
         <translation>Igła obróciła się w szczękach</translation>
     </message>
     <message>
+        <source>Needle dropped</source>
+        <translation>Igła upuszczona</translation>
+    </message>
+    <message>
         <source>Thread cut through tissue</source>
         <translation>Nić przecięła tkankę</translation>
     </message>
@@ -14374,6 +14378,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Needle turns in the jaws</source>
         <translation>Igła obraca się w szczękach</translation>
+    </message>
+    <message>
+        <source>Needle dropped</source>
+        <translation>Igła upuszczona</translation>
     </message>
     <message>
         <source>Thread cuts through tissue</source>
