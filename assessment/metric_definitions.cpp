@@ -103,11 +103,11 @@ constexpr MetricDefinition kMetrics[] = {
      "Placode"},
     {"over_force_s", "Time above the scene's force limit", "s", kLowerIsBetter,
      "Time with the force above the scene's limit.", "Placode"},
-    {"torn_volume_mm3", "Torn tissue", "mm3", kLowerIsBetter,
+    {"torn_volume_mm3", "Tissue torn or taken out", "mm3", kLowerIsBetter,
      "Undeformed volume of elements torn by stretch, and of tissue that left with a loose piece "
      "though it was not to go.",
      "Placode"},
-    {"torn_skin_mm3", "Torn skin", "mm3", kLowerIsBetter,
+    {"torn_skin_mm3", "Skin torn or taken out", "mm3", kLowerIsBetter,
      "Undeformed volume of skin elements torn by stretch, and of healthy skin that left with a "
      "loose piece.",
      "Placode"},

@@ -6,11 +6,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
+
+#include "sim/cutting/diathermy.h"
 
 namespace placode::curriculum {
 namespace THIS_TEST {
@@ -52,6 +55,30 @@ TEST(Task, EveryShippedTaskLoadsInBothLanguages) {
         EXPECT_EQ(task.rubric.pass_points, 70);
         EXPECT_EQ(task.scene_id, task.scene.id);
     }
+}
+
+// Skin that leaves with a piece counts as torn: the reason must fit both.
+TEST(Task, TornTissueMayHaveBeenTakenOutWhereAnInstrumentCutsOrCarries) {
+    int both = 0;
+    for (const std::string& id : list_definitions("tasks")) {
+        const Task task = load_task(id);
+        const bool carries =
+            std::any_of(task.scene.tools.begin(), task.scene.tools.end(), [](const auto& tool) {
+                return tool.kind == sim::ToolKind::kGrasper ||
+                       tool.kind == sim::ToolKind::kScissors ||
+                       tool.kind == sim::ToolKind::kIrrigator || sim::conducts(tool.kind);
+            });
+        for (const assessment::RubricItem& item : task.rubric.items) {
+            if (item.metric != "torn_volume_mm3" && item.metric != "torn_skin_mm3") continue;
+            const auto says = [&](const std::string& reason, const char* words) {
+                return reason.find(words) != std::string::npos;
+            };
+            EXPECT_EQ(says(item.reason, "torn or wrongly taken out"), carries) << id << item.id;
+            EXPECT_EQ(says(item.reason_pl, "lub niepotrzebnie "), carries) << id << item.id;
+            both += carries ? 1 : 0;
+        }
+    }
+    EXPECT_GE(both, 24);
 }
 
 TEST(Task, TheResolvedTextGivesTheSameTaskAgain) {

@@ -227,12 +227,12 @@ TEST_F(TrainingPrograms, OldAttemptsAreRescoredAndBothScoresKept) {
     const Outcome changed = as("ewa", "rescore --task strict.json");
     EXPECT_EQ(changed.status, 2) << "the attempt was scored under this version with another text";
     EXPECT_THAT(changed.err, HasSubstr("next version"));
-    EXPECT_THAT(as("ewa", "--json scores 1").out, Not(HasSubstr("\"rubric_version\": 5")));
-    task["rubric"]["version"] = 5;
+    EXPECT_THAT(as("ewa", "--json scores 1").out, Not(HasSubstr("\"rubric_version\": 6")));
+    task["rubric"]["version"] = 6;
     write_text(file("strict.json"), task.dump());
     EXPECT_EQ(as("anna", "rescore --task strict.json").status, 1);
     EXPECT_EQ(as("ewa", "rescore --task strict.json --dry-run").status, 0);
-    EXPECT_THAT(as("anna", "scores 1").out, Not(HasSubstr("ring_incision 5")))
+    EXPECT_THAT(as("anna", "scores 1").out, Not(HasSubstr("ring_incision 6")))
         << "a dry run saves nothing";
     const Outcome rescored = as("ewa", "--json rescore --task strict.json");
     ASSERT_EQ(rescored.status, 0) << rescored.err;
@@ -240,7 +240,7 @@ TEST_F(TrainingPrograms, OldAttemptsAreRescoredAndBothScoresKept) {
     EXPECT_THAT(rescored.out, HasSubstr("\"state\": \"rescored\""));
     const Outcome scores = as("anna", "--json scores 1");
     EXPECT_THAT(scores.out,
-                AllOf(HasSubstr("\"rubric_version\": 4"), HasSubstr("\"rubric_version\": 5"),
+                AllOf(HasSubstr("\"rubric_version\": 5"), HasSubstr("\"rubric_version\": 6"),
                       HasSubstr("\"preprocessing_version\": 1")));
     EXPECT_EQ(number_in(as("ewa", "--json rescore --task strict.json").out, "scored"), 0)
         << "once is enough";

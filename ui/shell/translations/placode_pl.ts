@@ -3101,12 +3101,12 @@
         <translation>Czas z siłą powyżej granicy sceny</translation>
     </message>
     <message>
-        <source>Torn tissue</source>
-        <translation>Rozdarta tkanka</translation>
+        <source>Tissue torn or taken out</source>
+        <translation>Tkanka rozerwana lub usunięta</translation>
     </message>
     <message>
-        <source>Torn skin</source>
-        <translation>Rozdarta skóra</translation>
+        <source>Skin torn or taken out</source>
+        <translation>Skóra rozerwana lub usunięta</translation>
     </message>
     <message>
         <source>Burned skin</source>
