@@ -197,16 +197,45 @@ constexpr std::array<ByDevice, sim::kPracticeKinds> kHints{{
       Bilingual::that("Keep it closed; bring the needle's point to the ring, turn the handle about "
                       "its axis.")}},
     // kNeedleLay
-    {{Bilingual::that("Lower the needle over the ring with the wheel until it lies there, then let "
-                      "go of the left button."),
-      Bilingual::that("Lower the needle over the ring with F until it lies there, then let go "
-                      "of X."),
+    {{Bilingual::that("Lower the needle over the ring with the wheel until it lies there, then "
+                      "press and let go of the left button."),
+      Bilingual::that("Lower the needle over the ring with F until it lies there, then press "
+                      "and let go of X."),
       Bilingual::that("Lower the needle over the ring with the right trigger until it lies there, "
-                      "then let go of A."),
-      Bilingual::that("Push the cap until the needle lies at the ring, then let go of the left "
-                      "button."),
+                      "then press and let go of A."),
+      Bilingual::that("Push the cap until the needle lies at the ring, then press and let go of "
+                      "the left button."),
       Bilingual::that("Lower the needle until it lies at the ring, then open the handle.")}},
 }};
+
+// A needle that is taken at a place of its arc, for the next bite: it is turned there first.
+constexpr ByDevice kTakeAtPlace{
+    {Bilingual::that("Turn with Shift and the mouse; press and let go of the left button, go to "
+                     "the ring, hold the button."),
+     Bilingual::that("Turn with Q or E; press and let go of X, go to the ring, hold X."),
+     Bilingual::that("Turn with the right stick; press and let go of A, go to the ring, hold A."),
+     Bilingual::that("Twist the cap to turn; press and let go of the left button, go to the ring, "
+                     "hold it again."),
+     Bilingual::that("Turn the handle; open it, go to the ring, and close it.")}};
+
+// Jaws that were left stay closed until the next press.
+constexpr ByDevice kReleaseAfterChange{
+    {Bilingual::that("Press and let go of the left button: the jaws open."),
+     Bilingual::that("Press and let go of X: the jaws open."),
+     Bilingual::that("Press and let go of A: the jaws open."),
+     Bilingual::that("Press and let go of the left button: the jaws open."),
+     Bilingual::that("Open the handle, or let go of its button.")}};
+
+// Before the hand changes that frees skin below an edge: the one that has taken it lifts it.
+constexpr ByDevice kLiftFirst{
+    {Bilingual::that("Lift the edge by 2 mm with the wheel, then Tab with the button down."),
+     Bilingual::that("Lift the edge by 2 mm with R, then Tab with X down."),
+     Bilingual::that("Lift the edge by 2 mm with the left trigger, then Tab on the keyboard with A "
+                     "down."),
+     Bilingual::that("Lift the edge by 2 mm with the cap, then Tab on the keyboard with the button "
+                     "down."),
+     Bilingual::that("Lift the edge by 2 mm and keep it. With one arm: tap its second button to "
+                     "change hands.")}};
 
 // The scope has devices of its own.
 constexpr ByDevice kScope{{Bilingual::that("Hold the middle button and move the mouse."),
@@ -221,6 +250,14 @@ constexpr ByDevice kOtherHand{
      Bilingual::that("Tab on the keyboard changes hands."),
      Bilingual::that("With one arm: tap its second button to change hands.")}};
 
+/// What to do with this device, with the hand that is to do it.
+Bilingual::Phrase words_of(const sim::PracticeStep& goal, size_t column, bool changes_hand) {
+    if (goal.hand == sim::Hand::kCamera) return kScope[column];
+    if (goal.kind == PracticeKind::kNeedleTake && goal.take_share > 0) return kTakeAtPlace[column];
+    if (goal.kind == PracticeKind::kRelease && changes_hand) return kReleaseAfterChange[column];
+    return kHints[static_cast<size_t>(goal.kind)][column];
+}
+
 }  // namespace
 
 LocalText step_hint(const TaskStep& step, const std::string& device, bool changes_hand) {
@@ -229,13 +266,12 @@ LocalText step_hint(const TaskStep& step, const std::string& device, bool change
     const HintDevice hand = haptics::hint_device(device);
     if (hand == HintDevice::kNone) return {};
     const size_t column = static_cast<size_t>(hand) - 1;
-    const bool scope = step.goal.hand == sim::Hand::kCamera;
-    const Bilingual::Phrase words =
-        scope ? kScope[column] : kHints[static_cast<size_t>(step.goal.kind)][column];
+    const Bilingual::Phrase words = words_of(step.goal, column, changes_hand);
     if (*words.english == '\0') return {};
     LocalText text = Bilingual::phrase(words);
-    if (changes_hand && !scope) {
-        const LocalText other = Bilingual::phrase(kOtherHand[column]);
+    if (changes_hand && step.goal.hand != sim::Hand::kCamera) {
+        const bool lifts = step.goal.kind == PracticeKind::kUndermine;
+        const LocalText other = Bilingual::phrase(lifts ? kLiftFirst[column] : kOtherHand[column]);
         text.en.insert(0, other.en + ' ');
         text.pl.insert(0, other.pl + ' ');
     }

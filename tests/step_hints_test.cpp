@@ -74,6 +74,65 @@ TEST(StepHints, AStepForTheOtherHandBeginsWithChangingHands) {
     EXPECT_TRUE(symbols[1].together);
 }
 
+TEST(StepHints, ANeedleForTheNextBiteIsTakenAtTheRing) {
+    TaskStep step;
+    step.goal.kind = sim::PracticeKind::kNeedleTake;
+    for (const char* device : kHands) {
+        EXPECT_NE(step_hint(step, device, false).en.find("behind its point"), std::string::npos);
+        TaskStep placed = step;
+        placed.goal.take_share = 0.7;
+        const std::string hint = step_hint(placed, device, false).en;
+        EXPECT_NE(hint.find("to the ring"), std::string::npos) << device << ": " << hint;
+        EXPECT_EQ(hint.find("behind its point"), std::string::npos) << device << ": " << hint;
+    }
+}
+
+TEST(StepHints, JawsThatWereLeftShutOpenWithAPress) {
+    TaskStep step;
+    step.goal.kind = sim::PracticeKind::kRelease;
+    EXPECT_EQ(step_hint(step, "mouse", false).en, "Let go of the left button.");
+    EXPECT_EQ(step_hint(step, "mouse", true).en,
+              "Tab changes hands. Press and let go of the left button: the jaws open.");
+    EXPECT_EQ(step_hint(step, "keyboard", true).en,
+              "Tab changes hands. Press and let go of X: the jaws open.");
+}
+
+TEST(StepHints, TheEdgeIsLiftedBeforeTheHandsChange) {
+    TaskStep step;
+    step.goal.kind = sim::PracticeKind::kUndermine;
+    for (const char* device : kHands)
+        EXPECT_EQ(step_hint(step, device, true).en.rfind("Lift the edge by 2 mm", 0), 0U) << device;
+    EXPECT_EQ(step_hint(step, "mouse", false).en.find("Lift the edge"), std::string::npos);
+}
+
+/// Of a step: the hand, or the one instrument that there is of its kind.
+bool names_its_hand(const std::string& text, sim::Hand hand) {
+    const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
+    return has("driver") || (hand == sim::Hand::kLeft ? has("left hand") : has("right hand"));
+}
+
+TEST(StepHints, EveryStepForTwoHandsNamesTheOneThatDoesIt) {
+    for (const char* id : {"undermine", "wound_closure"})
+        for (const TaskStep& step : load_task(id).steps)
+            EXPECT_TRUE(names_its_hand(step.text.en, step.goal.hand)) << id << ": " << step.text.en;
+    for (const TaskStep& step : load_task("needle_handover").steps) {
+        const bool left = step.goal.hand == sim::Hand::kLeft;
+        EXPECT_NE(step.text.en.find(left ? "left driver" : "right driver"), std::string::npos)
+            << step.text.en;
+        EXPECT_NE(step.text.pl.find(left ? "ewym imad" : "rawym imad"), std::string::npos)
+            << step.text.pl;
+    }
+}
+
+// A left-handed layout exchanges the sticks by their words: a third word would stay.
+TEST(StepHints, AStickHasOneNameInPolish) {
+    for (const std::string& id : list_definitions("tasks"))
+        for (const TaskStep& step : load_task(id).steps)
+            EXPECT_EQ(step_hint(step, "gamepad", false).pl.find("dr\xc4\x85\xc5\xbc"),
+                      std::string::npos)
+                << id << ": " << step.text.en;
+}
+
 TEST(StepHints, ATasksOwnWordsComeFirstAndScriptsNeedNone) {
     TaskStep step;
     step.hints["mouse"] = {"Own words.", "Własne słowa."};

@@ -14904,7 +14904,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>Keep the needle held; left stick and triggers bring its point to the ring, the right stick turns it.</source>
-        <translation>Nie puszczaj igły; lewy drążek i spusty prowadzą jej ostrze do pierścienia, prawy drążek ją obraca.</translation>
+        <translation>Nie puszczaj igły; lewa gałka i spusty prowadzą jej ostrze do pierścienia, prawa gałka ją obraca.</translation>
     </message>
     <message>
         <source>Keep the needle held; push the cap until its point is at the ring, twist to turn it.</source>
@@ -14915,24 +14915,24 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Trzymaj zamknięte; doprowadź ostrze igły do pierścienia, obracaj uchwyt wokół osi.</translation>
     </message>
     <message>
-        <source>Lower the needle over the ring with the wheel until it lies there, then let go of the left button.</source>
-        <translation>Opuść igłę kółkiem nad pierścieniem, aż tam legnie, potem puść lewy przycisk.</translation>
+        <source>Lower the needle over the ring with the wheel until it lies there, then press and let go of the left button.</source>
+        <translation>Opuść igłę kółkiem, aż będzie leżeć przy pierścieniu, potem naciśnij i puść lewy przycisk.</translation>
     </message>
     <message>
-        <source>Lower the needle over the ring with F until it lies there, then let go of X.</source>
-        <translation>Opuść igłę nad pierścieniem klawiszem F, aż tam legnie, potem puść X.</translation>
+        <source>Lower the needle over the ring with F until it lies there, then press and let go of X.</source>
+        <translation>Opuść igłę klawiszem F, aż będzie leżeć przy pierścieniu, potem naciśnij i puść X.</translation>
     </message>
     <message>
-        <source>Lower the needle over the ring with the right trigger until it lies there, then let go of A.</source>
-        <translation>Opuść igłę nad pierścieniem prawym spustem, aż tam legnie, potem puść A.</translation>
+        <source>Lower the needle over the ring with the right trigger until it lies there, then press and let go of A.</source>
+        <translation>Opuść igłę prawym spustem, aż będzie leżeć przy pierścieniu, potem naciśnij i puść A.</translation>
     </message>
     <message>
-        <source>Push the cap until the needle lies at the ring, then let go of the left button.</source>
-        <translation>Popchnij gałkę, aż igła legnie przy pierścieniu, potem puść lewy przycisk.</translation>
+        <source>Push the cap until the needle lies at the ring, then press and let go of the left button.</source>
+        <translation>Popychaj gałkę, aż igła będzie leżeć przy pierścieniu, potem naciśnij i puść lewy przycisk.</translation>
     </message>
     <message>
         <source>Lower the needle until it lies at the ring, then open the handle.</source>
-        <translation>Opuść igłę, aż legnie przy pierścieniu, potem otwórz uchwyt.</translation>
+        <translation>Opuść igłę, aż będzie leżeć przy pierścieniu, potem otwórz uchwyt.</translation>
     </message>
     <message>
         <source>Go on turning with Q or E until the point comes out.</source>
@@ -14965,6 +14965,58 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Press and let go of the left button, go over the needle behind its point, hold it again.</source>
         <translation>Naciśnij i puść lewy przycisk, najedź na igłę za ostrzem i znów go przytrzymaj.</translation>
+    </message>
+    <message>
+        <source>Turn with Shift and the mouse; press and let go of the left button, go to the ring, hold the button.</source>
+        <translation>Obracaj z Shift i myszą; naciśnij i puść lewy przycisk, najedź na pierścień, przytrzymaj przycisk.</translation>
+    </message>
+    <message>
+        <source>Turn with Q or E; press and let go of X, go to the ring, hold X.</source>
+        <translation>Obracaj klawiszem Q lub E; naciśnij i puść X, najedź na pierścień, przytrzymaj X.</translation>
+    </message>
+    <message>
+        <source>Turn with the right stick; press and let go of A, go to the ring, hold A.</source>
+        <translation>Obracaj prawą gałką; naciśnij i puść A, najedź na pierścień, przytrzymaj A.</translation>
+    </message>
+    <message>
+        <source>Twist the cap to turn; press and let go of the left button, go to the ring, hold it again.</source>
+        <translation>Skręcaj gałkę, by obracać; naciśnij i puść lewy przycisk, najedź na pierścień, znów go przytrzymaj.</translation>
+    </message>
+    <message>
+        <source>Turn the handle; open it, go to the ring, and close it.</source>
+        <translation>Obracaj uchwyt; otwórz go, najedź na pierścień i zamknij.</translation>
+    </message>
+    <message>
+        <source>Press and let go of the left button: the jaws open.</source>
+        <translation>Naciśnij i puść lewy przycisk: szczęki się otworzą.</translation>
+    </message>
+    <message>
+        <source>Press and let go of X: the jaws open.</source>
+        <translation>Naciśnij i puść X: szczęki się otworzą.</translation>
+    </message>
+    <message>
+        <source>Press and let go of A: the jaws open.</source>
+        <translation>Naciśnij i puść A: szczęki się otworzą.</translation>
+    </message>
+    <message>
+        <source>Lift the edge by 2 mm with the wheel, then Tab with the button down.</source>
+        <translation>Unieś brzeg kółkiem o 2 mm, potem Tab przy wciśniętym przycisku.</translation>
+    </message>
+    <message>
+        <source>Lift the edge by 2 mm with R, then Tab with X down.</source>
+        <translation>Unieś brzeg klawiszem R o 2 mm, potem Tab przy wciśniętym X.</translation>
+    </message>
+    <message>
+        <source>Lift the edge by 2 mm with the left trigger, then Tab on the keyboard with A down.</source>
+        <translation>Unieś brzeg lewym spustem o 2 mm, potem Tab na klawiaturze przy wciśniętym A.</translation>
+    </message>
+    <message>
+        <source>Lift the edge by 2 mm with the cap, then Tab on the keyboard with the button down.</source>
+        <translation>Unieś brzeg gałką o 2 mm, potem Tab na klawiaturze przy wciśniętym przycisku.</translation>
+    </message>
+    <message>
+        <source>Lift the edge by 2 mm and keep it. With one arm: tap its second button to change hands.</source>
+        <translation>Unieś brzeg o 2 mm i trzymaj. Jedno ramię: jego drugi przycisk zmienia rękę.</translation>
     </message>
     <message>
         <source>Open the handle, go over the needle behind its point, and close it.</source>
