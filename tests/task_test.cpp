@@ -57,6 +57,30 @@ TEST(Task, EveryShippedTaskLoadsInBothLanguages) {
     }
 }
 
+std::string text_of(const std::filesystem::path& path) {
+    std::ifstream in(path);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Task, EveryShippedTaskStandsInTheTableAndTheNewOnesInTheManual) {
+    const std::filesystem::path docs = std::string(PLACODE_SOURCE_DIR) + "/docs";
+    const std::string table = text_of(docs / "training.md");
+    std::string en, pl;
+    for (const auto& page : std::filesystem::directory_iterator(docs / "manual" / "en"))
+        if (page.path().filename().string().starts_with("trainee-")) {
+            en += text_of(page.path());
+            pl += text_of(docs / "manual" / "pl" / page.path().filename());
+        }
+    for (const std::string& id : list_definitions("tasks")) {
+        EXPECT_NE(table.find("`" + id + "`"), std::string::npos) << id;
+        const Task task = load_task(id);
+        const auto& scene = task.scene;
+        if (!scene.suture && !scene.patch && !scene.irrigation && !scene.plane) continue;
+        EXPECT_NE(en.find(task.title.en), std::string::npos) << id << ": " << task.title.en;
+        EXPECT_NE(pl.find(task.title.pl), std::string::npos) << id << ": " << task.title.pl;
+    }
+}
+
 // Skin that leaves with a piece counts as torn: the reason must fit both.
 TEST(Task, TornTissueMayHaveBeenTakenOutWhereAnInstrumentCutsOrCarries) {
     int both = 0;
