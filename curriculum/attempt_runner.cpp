@@ -176,6 +176,7 @@ AttemptStatus AttemptRunner::status() const {
     status.waiting = numbers.waiting;
     status.sleeps = numbers.sleeps;
     status.device_lost = loop.servo().device_lost();
+    status.in_hand = loop.servo().in_hand();
     status.real_time = numbers.real_time;
     status.pictures_hz = numbers.pictures_hz;
     status.real_time_now = numbers.real_time_now;

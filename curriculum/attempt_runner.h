@@ -52,6 +52,7 @@ struct AttemptStatus {
     bool waiting = false;      ///< For the first motion of a hand.
     int sleeps = 0;            ///< Times that the computer slept while simulated time ran.
     bool device_lost = false;  ///< No hand has a device any more.
+    int in_hand = -1;          ///< The tool that one hand at a window moves; -1 = each has its own.
     double real_time = 1;      ///< Simulated over wall-clock time (curriculum/machine_speed.h).
     double real_time_now = 1, pictures_now_hz = 0;  ///< Of the last second.
     double pictures_hz = 0;                         ///< In nine of ten seconds.

@@ -53,6 +53,7 @@ struct DeviceState {
     uint8_t pedals = 0;  ///< sim::kPedalCut | sim::kPedalCoag
     DeviceStatus status = DeviceStatus::kReady;
     bool engaged = true;    ///< false: hand off, inkwell, clutch at start.
+    bool in_hand = false;   ///< Of several instruments for one hand at a window: this one now.
     bool finish = false;    ///< The operator declares the task done.
     bool clutched = false;  ///< The tool is held where it is, the hand is free: no force.
     float motor_heat = 0;   ///< What the device says of its motors, 0 to 1.

@@ -123,6 +123,10 @@ void Servo::Impl::read(int64_t t_ns) noexcept {
     devices->read(t_ns, states);
     const auto is_lost = [](const DeviceState& s) { return s.status == DeviceStatus::kLost; };
     lost.store(std::all_of(states.begin(), states.end(), is_lost), std::memory_order_relaxed);
+    const auto now =
+        std::find_if(states.begin(), states.end(), [](const DeviceState& s) { return s.in_hand; });
+    in_hand.store(now == states.end() ? -1 : static_cast<int>(now - states.begin()),
+                  std::memory_order_relaxed);
 }
 
 // One tick of the thread or of the device's own scheduler. False: the session is over.
@@ -245,6 +249,7 @@ Servo::Exchange& Servo::exchange() noexcept { return impl_->exchange; }
 DeviceGroup& Servo::devices() noexcept { return *impl_->devices; }
 
 bool Servo::finish_requested() const noexcept { return impl_->finish; }
+int Servo::in_hand() const noexcept { return impl_->in_hand.load(std::memory_order_relaxed); }
 bool Servo::device_lost() const noexcept { return impl_->lost.load(std::memory_order_relaxed); }
 bool Servo::renders_force() const noexcept { return impl_->force; }
 

@@ -53,6 +53,7 @@ struct Servo::Impl {
     Counters counters;
     std::atomic<bool> finish{false}, running{false}, releasing{false}, released{false},
         real_time{false}, paused{false}, locked{false}, own_scheduler{false}, lost{false};
+    std::atomic<int> in_hand{-1};
     // Owner.
     std::thread thread;
     bool was_started = false, stopped = false;

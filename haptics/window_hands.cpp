@@ -29,18 +29,6 @@ const Vec3 kScopeReach(0.020, 0.020, 0.015);
 
 }  // namespace
 
-int hand_after(std::span<const sim::ToolSpec> tools, uint32_t tabs) noexcept {
-    const auto is_hand = [](const sim::ToolSpec& tool) {
-        return tool.kind != sim::ToolKind::kScope;
-    };
-    const auto hands = static_cast<uint32_t>(std::count_if(tools.begin(), tools.end(), is_hand));
-    if (hands == 0) return -1;
-    uint32_t left = tabs % hands;
-    for (size_t i = 0; i < tools.size(); ++i)
-        if (is_hand(tools[i]) && left-- == 0) return static_cast<int>(i);
-    return -1;
-}
-
 uint8_t PedalGuard::update(uint8_t pressed, int64_t t_ns, bool allowed, bool endless) noexcept {
     if (pressed == 0) spent_ = false;
     if (pressed != 0 && before_ == 0) since_ns_ = t_ns;
@@ -68,6 +56,7 @@ WindowHands::WindowHands(const DeviceConfig& config, std::string model)
             hands_[i].jaw_open_rad =
                 (scissors ? kBladeOpening : kGrasperOpening) * config.tools[i].jaw_open_rad;
         if (grasper) hands_[i].jaw_least_rad = (1 - kRatchet) * sim::grip_angle(config.tools[i]);
+        hands_[i].holds = grasper || driver;
         // Open from the start: jaws that open by themselves would start the clock.
         hands_[i].jaw_rad = std::max(hands_[i].jaw_open_rad, hands_[i].jaw_least_rad);
         hands_[i].energy = sim::uses_pedals(kind);
@@ -134,14 +123,25 @@ void WindowHands::turn(WindowHand& hand, double dt_s) noexcept {
     hand.position_m += offset;
 }
 
+/// Jaws that were left closed in its port do not make room for it: with one hand for all, whoever
+/// holds tissue or a needle would lose it on the way to the other side.
+bool WindowHands::kept_out(size_t i) const noexcept {
+    for (size_t k = 0; k < hands_.size(); ++k) {
+        const WindowHand& other = hands_[k];
+        if ((hands_[i].others_in_port >> k & 1U) != 0 && other.holds && other.latched && !other.out)
+            return true;
+    }
+    return false;
+}
+
 void WindowHands::next_hand(uint32_t presses) noexcept {
     for (uint32_t k = 0; k < presses % (hands_.size() + 1); ++k) {
-        size_t i = active_;
-        do i = (i + 1) % hands_.size();
-        while (hands_[i].scope && i != active_);
         WindowHand& left = hands_[active_];
         left.latched = left.latched || ((held_before_ & sim::kPedalCut) != 0 && !left.energy &&
                                         pressed_by_ == active_);
+        size_t i = active_;
+        do i = (i + 1) % hands_.size();
+        while (i != active_ && (hands_[i].scope || kept_out(i)));
         active_ = i;
         // Another instrument through the same port: the old one leaves, the new one comes in at
         // its start.
@@ -234,6 +234,7 @@ DeviceState WindowHands::state_of(size_t i, int64_t t_ns, uint8_t held, bool the
     out.pedals = i == active_ && hand.energy ? held : 0;
     out.finish = finished_;
     out.engaged = !hand.out;
+    out.in_hand = i == active_;
     out.status = there ? DeviceStatus::kReady : DeviceStatus::kLost;
     return out;
 }

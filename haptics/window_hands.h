@@ -14,10 +14,6 @@
 
 namespace placode::haptics {
 
-/// The tool that `tabs` presses of Tab lead to: from the first one to the next, round and round,
-/// leaving the scope out; -1 where there is none.
-[[nodiscard]] int hand_after(std::span<const sim::ToolSpec> tools, uint32_t tabs) noexcept;
-
 /// Pedals from buttons: released after 10 s without a break, and when motion is not allowed.
 class PedalGuard {
  public:
@@ -66,6 +62,7 @@ struct WindowHand {
     bool scope = false, energy = false, endless = true;
     uint32_t others_in_port = 0;  ///< By bits: they take turns.
     bool out = false;             ///< Waits outside.
+    bool holds = false;           ///< Its jaws hold something: closed, they stay in their port.
     double jaw_least_rad = 0;     ///< A ratchet holds jaws from squeezing further.
     double jaw_open_rad = 0;      ///< As wide as the button lets them open.
     bool latched = false;         ///< Left closed, or in a pause: so until the next press.
@@ -107,6 +104,7 @@ class WindowHands : public DeviceGroup {
     void follow(WindowHand& hand, double dt_s) noexcept;
     static void turn(WindowHand& hand, double dt_s) noexcept;
     void next_hand(uint32_t presses) noexcept;
+    [[nodiscard]] bool kept_out(size_t hand) const noexcept;
     [[nodiscard]] uint8_t own_press(uint8_t held) noexcept;
     [[nodiscard]] uint8_t keep_jaws(uint8_t held) noexcept;
     void move_jaw(WindowHand& hand, bool pressed, double dt_s) const noexcept;

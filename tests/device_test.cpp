@@ -223,16 +223,92 @@ TEST(Mouse, PressesThePedalsOfTheNeedleOnly) {
     EXPECT_EQ(bench.read(1).pedals, sim::kPedalCut);
 }
 
+/// A mouse for several tools: which of them Tab leads to.
+struct TabBench {
+    TabBench(std::initializer_list<std::pair<sim::ToolKind, sim::Hand>> tools)
+        : states(tools.size()) {
+        DeviceConfig config;
+        config.name = "mouse";
+        config.window = &window;
+        for (const auto& [kind, hand] : tools) {
+            sim::ToolSpec& tool = config.tools.emplace_back();
+            tool.kind = kind;
+            tool.hand = hand;
+            tool.tip_length_m = 0.010;
+        }
+        device = open_device(config);
+        read();
+    }
+    void read() {
+        window.publish(input);
+        for (int i = 0; i < 500; ++i) device->read(t_ns += kMs, states);
+    }
+    /// The tool in the hand after Tab.
+    int tab() {
+        ++input.presses[static_cast<size_t>(Key::kTab)];
+        read();
+        return in_hand();
+    }
+    [[nodiscard]] int in_hand() const {
+        int found = -1;
+        for (size_t i = 0; i < states.size(); ++i)
+            if (states[i].in_hand) found = found < 0 ? static_cast<int>(i) : 99;
+        return found;
+    }
+    void press(bool down) {
+        input.left = down;
+        read();
+    }
+
+    sim::Latest<sim::WindowInput> window;
+    sim::WindowInput input;
+    std::unique_ptr<DeviceGroup> device;
+    std::vector<DeviceState> states;
+    int64_t t_ns = 0;
+};
+
 TEST(Mouse, TabGoesFromHandToHandAndNeverToTheScope) {
-    std::vector<sim::ToolSpec> tools(3);
-    tools[0].kind = sim::ToolKind::kNeedle;
-    tools[1].kind = sim::ToolKind::kScope;
-    tools[2].kind = sim::ToolKind::kGrasper;
-    EXPECT_EQ(hand_after(tools, 0), 0);
-    EXPECT_EQ(hand_after(tools, 1), 2);
-    EXPECT_EQ(hand_after(tools, 2), 0);
-    EXPECT_EQ(hand_after(tools, 7), 2);
-    EXPECT_EQ(hand_after(std::span(tools).subspan(1, 1), 1), -1);
+    TabBench bench{{sim::ToolKind::kNeedle, sim::Hand::kRight},
+                   {sim::ToolKind::kScope, sim::Hand::kCamera},
+                   {sim::ToolKind::kGrasper, sim::Hand::kLeft}};
+    EXPECT_EQ(bench.in_hand(), 0);
+    EXPECT_EQ(bench.tab(), 2);
+    EXPECT_EQ(bench.tab(), 0);
+    TabBench alone{{sim::ToolKind::kNeedle, sim::Hand::kRight},
+                   {sim::ToolKind::kScope, sim::Hand::kCamera}};
+    EXPECT_EQ(alone.tab(), 0);
+}
+
+// Who sews holds the needle with one hand and the edge with the other; a grasper waits outside.
+TEST(Mouse, TabNeverTakesAwayWhatClosedJawsHold) {
+    TabBench bench{{sim::ToolKind::kGrasper, sim::Hand::kRight},
+                   {sim::ToolKind::kGrasper, sim::Hand::kLeft},
+                   {sim::ToolKind::kNeedleDriver, sim::Hand::kRight}};
+    EXPECT_TRUE(bench.states[0].engaged);
+    EXPECT_FALSE(bench.states[2].engaged);
+    // Nothing is held: round and round, the two of the right hand take turns.
+    EXPECT_EQ(bench.tab(), 1);
+    EXPECT_EQ(bench.tab(), 2);
+    EXPECT_TRUE(bench.states[2].engaged);
+    EXPECT_FALSE(bench.states[0].engaged);
+    // The driver holds: from the left hand Tab leads back to it, past the right grasper.
+    bench.press(true);
+    EXPECT_EQ(bench.tab(), 1);
+    bench.press(false);
+    EXPECT_TRUE(bench.states[2].engaged);
+    EXPECT_EQ(bench.tab(), 2);
+    EXPECT_EQ(bench.tab(), 1);
+    EXPECT_EQ(bench.tab(), 2);
+    // Opened, it makes room.
+    bench.press(true);
+    bench.press(false);
+    EXPECT_EQ(bench.tab(), 0);
+    EXPECT_FALSE(bench.states[2].engaged);
+    // So does a grasper that holds tissue not.
+    bench.press(true);
+    EXPECT_EQ(bench.tab(), 1);
+    bench.press(false);
+    EXPECT_EQ(bench.tab(), 0);
 }
 
 // Nor does the clock of an attempt start by itself: it waits for the first motion of a hand.

@@ -38,6 +38,7 @@ inline ToolSpec driver_spec() {
 inline ToolSpec second_spec(ToolKind kind) {
     ToolSpec spec;
     spec.kind = kind;
+    spec.hand = Hand::kLeft;
     spec.tip_radius_m = 0.0005;
     spec.tip_length_m = 0.010;
     spec.hand_n_m = 600;

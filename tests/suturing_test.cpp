@@ -368,6 +368,58 @@ TEST(Suturing, ADriverWithoutAHandHoldsNothing) {
     EXPECT_EQ(stitch.state.suturing.driver, -1);
 }
 
+// With one mouse Tab may pass by a driver on the way to another instrument.
+TEST(Suturing, ADriverThatMakesRoomForAnotherInstrumentKeepsItsNeedle) {
+    StitchOptions options;
+    options.other = test::second_spec(ToolKind::kGrasper);
+    options.other->hand = Hand::kRight;
+    for (const double jaw_rad : {0.6, 0.0}) {
+        Stitch stitch(options);
+        stitch.driver(stitch.at(0), jaw_rad);
+        stitch.rest(20);
+        const auto in_jaws = [&] {
+            return stitch.state.tools[0].proxy.inverse() * stitch.needle().needle;
+        };
+        const Pose held = in_jaws();
+        stitch.events.clear();
+        stitch.inputs[0].engaged = 0;
+        stitch.inputs[0].jaw_rad = 0;
+        stitch.rest(50);
+        EXPECT_EQ(stitch.state.suturing.placed, 0) << "outside";
+        EXPECT_EQ(stitch.state.suturing.driver, 0);
+        Pose back = stitch.at(0);
+        back.p.z() += 2e-3;
+        stitch.driver(back, 0);
+        stitch.rest(20);
+        EXPECT_EQ(stitch.state.suturing.placed, 1);
+        EXPECT_LT((in_jaws().p - held.p).norm(), 20e-6);
+        EXPECT_LT(in_jaws().q.angularDistance(held.q), 0.01);
+        EXPECT_EQ(stitch.find(EventKind::kNeedleReleased), nullptr);
+        EXPECT_EQ(stitch.find(EventKind::kNeedleTaken), nullptr) << "not anew";
+        // It came in closed; opening is not letting go yet, as at the beginning.
+        stitch.jaw_rad = 0;
+        stitch.jaws(0.6);
+        EXPECT_EQ(stitch.state.suturing.driver, 0);
+        stitch.jaws(0);
+        stitch.jaws(0.6);
+        EXPECT_EQ(stitch.state.suturing.driver, -1);
+    }
+}
+
+TEST(Suturing, ANeedleInTissueStaysThereWhenItsDriverMakesRoom) {
+    StitchOptions options;
+    options.other = test::second_spec(ToolKind::kGrasper);
+    options.other->hand = Hand::kRight;
+    Stitch stitch(options);
+    stitch.drive(4e-3, 20e-3);
+    ASSERT_GT(stitch.needle().passage_count, 0);
+    stitch.inputs[0].engaged = 0;
+    stitch.rest(5);
+    EXPECT_EQ(stitch.state.suturing.driver, -1);
+    EXPECT_EQ(stitch.state.suturing.placed, 1);
+    EXPECT_NE(stitch.find(EventKind::kNeedleReleased), nullptr);
+}
+
 TEST(Suturing, SlipInTheJawsIsOneEvent) {
     StitchOptions options;
     options.puncture_n = 1;  // nothing gives

@@ -172,6 +172,9 @@ class MousePersonDevice final : public DeviceGroup {
         input_.t_ns = t_ns;
         press(sim::Key::kTab, false);
         press(sim::Key::kEnter, done_);
+        // Where the last Tab has led to.
+        for (size_t i = 0; i < count_; ++i)
+            if (states_[i].in_hand) active_ = i;
         if (t_ns < busy_until_ns_) return;
         size_t hand = active_;
         input_.middle = false;
@@ -210,8 +213,6 @@ class MousePersonDevice final : public DeviceGroup {
         // Other jaws wait for what the plan does with them next.
         latched_[active_] = wants_[active_].begins_closed && closed_[active_];
         input_.left = input_.right = false;
-        do active_ = (active_ + 1) % count_;
-        while (wants_[active_].scope);
     }
 
     void move(size_t hand, int64_t t_ns) noexcept {

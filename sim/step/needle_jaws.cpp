@@ -20,6 +20,42 @@ constexpr int kWirePlaces = 129;    // looked at along the arc: every 0.13 mm of
 constexpr double kReach = 0.0006;   // wire this far beyond the tips is still bitten [m]
 constexpr double kCentring = 0.05;  // of its way to the jaws' middle that the wire goes in a frame
 
+/// Another instrument of the same hand goes in and out through its port.
+bool takes_turns(const Scene& scene, int t) noexcept {
+    for (size_t k = 0; k < scene.tools.size(); ++k) {
+        const ToolSpec& other = scene.tools[k];
+        if (k != as_index(t) && other.kind != ToolKind::kScope &&
+            other.hand == scene.tools[as_index(t)].hand)
+            return true;
+    }
+    return false;
+}
+
+/// A driver that makes room for another instrument keeps a needle that is in no tissue: both wait
+/// outside of the port.
+void carry_out(const Scene& scene, State& state, int t) noexcept {
+    Suturing& s = state.suturing;
+    SutureState& needle = s.needle[0];
+    s.placed = 0;
+    needle.needle.p = scene.tools[as_index(t)].pivot_m;
+    needle.v = needle.w = Vec3::Zero();
+    needle.hold.force_n = needle.hold.torque_n_m = Vec3::Zero();
+}
+
+/// As it was held; the driver's jaws are closed when it comes in.
+void bring_back(const Scene& scene, State& state) noexcept {
+    Suturing& s = state.suturing;
+    const ToolState& tool = state.tools[as_index(s.driver)];
+    if (tool.engaged == 0) return;
+    SutureState& needle = s.needle[0];
+    needle.needle = tool.proxy * needle.hold.X_HN;
+    needle.needle.q.normalize();
+    needle.hold.hand = tool.proxy;
+    s.placed = 1;
+    const double meet = grip_angle(scene.tools[as_index(s.driver)]);
+    s.locked = static_cast<double>(tool.jaw_rad) <= meet ? kLockedUntilOpened : kLockedUntilClosed;
+}
+
 /// Closed jaws bring the wire to their middle.
 void centre_wire(const Scene& scene, SutureState& needle, NeedleHold& hold) noexcept {
     const double before = hold_energy(*scene.suture, hold, needle.needle);
@@ -54,6 +90,7 @@ double wire_between(const ToolSpec& spec, const Pose& X_WT, const Needle& needle
 void place_in_jaws(const Scene& scene, State& state) noexcept {
     assert(scene.suture && !state.suturing.needle.empty());
     Suturing& s = state.suturing;
+    if (s.driver >= 0) return bring_back(scene, state);
     for (size_t t = 0; t < scene.tools.size(); ++t) {
         if (scene.tools[t].kind != ToolKind::kNeedleDriver || state.tools[t].engaged == 0) continue;
         s.needle[0].needle = state.tools[t].proxy * scene.needle_start.X_TN;
@@ -85,8 +122,14 @@ void update_needle_jaws(const Scene& scene, State& state, double dt) noexcept {
         if (s.driver == t) {
             const bool awaits = s.locked == kLockedUntilEngaged && tool.engaged == 0;
             if (!awaits && s.locked == kLockedUntilEngaged) s.locked = kLockedUntilClosed;
-            if (closed && !awaits) s.locked = 0;
-            if (!awaits && (tool.engaged == 0 || (open && s.locked == 0))) {
+            if (s.locked == kLockedUntilOpened)
+                s.locked = open ? kLockedUntilClosed : kLockedUntilOpened;
+            else if (closed && !awaits)
+                s.locked = 0;
+            if (!awaits && tool.engaged == 0 && s.handover.second < 0 && takes_turns(scene, t) &&
+                needle_in_the_open(needle)) {
+                carry_out(scene, state, t);
+            } else if (!awaits && (tool.engaged == 0 || (open && s.locked == 0))) {
                 end_hold(scene, state, t);
             } else {
                 s.held_s += static_cast<float>(dt);

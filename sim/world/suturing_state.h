@@ -29,6 +29,8 @@ void fields(Of<JawSlip> auto& s, Visit&& visit) {
 /// Suturing::locked of a needle that an attempt began with.
 inline constexpr uint8_t kLockedUntilClosed = 1;   ///< Jaws let go once they have closed on it.
 inline constexpr uint8_t kLockedUntilEngaged = 2;  ///< The same, when a hand has come.
+/// The same, once jaws that came back through their port with it have opened.
+inline constexpr uint8_t kLockedUntilOpened = 3;
 
 /// A needle that goes from hand to hand.
 struct Handover {
@@ -56,7 +58,7 @@ struct Suturing {
 
     std::vector<SutureState> needle;  ///< Empty or one.
     uint8_t placed = 0;               ///< The needle is in the field.
-    int8_t driver = -1;               ///< Tool whose jaws hold it, -1 = none.
+    int8_t driver = -1;               ///< Tool whose jaws hold it, also outside; -1 = none.
     Handover handover;                ///< Other jaws that hold it as well.
     uint8_t locked = 0;               ///< As it began: see above; 0 = the jaws may let go.
     float held_s = 0, peak_n = 0;     ///< Since it was taken; peak of its pull on the jaws.

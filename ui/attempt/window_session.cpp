@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "haptics/control_words.h"
-#include "haptics/window_hands.h"
 #include "ui/attempt/attempt_controls.h"
 #include "ui/attempt/attempt_overlay.h"
 #include "ui/attempt/controls_setup.h"
@@ -72,7 +71,6 @@ class WindowSession {
           sound_(arguments),
           scripted_(is_script(arguments)),
           space_mouse_(arguments.device == "spacemouse"),
-          one_hand_(has_window_hands(arguments.device)),
           read_on_(!scripted_ && !is_in_window(arguments.device) && conduct_.help),
           remember_size_(has_own_size(arguments) && !arguments.fullscreen) {}
 
@@ -190,10 +188,7 @@ class WindowSession {
     void picture(const curriculum::AttemptStatus& status) {
         const sim::Snapshot& snapshot = runner_.snapshot();
         overlay_.practice.goal = runner_.practice();
-        if (one_hand_)
-            overlay_.practice.in_hand = haptics::hand_after(
-                runner_.task().scene.tools,
-                controls_.for_devices().presses[static_cast<size_t>(sim::Key::kTab)]);
+        overlay_.practice.in_hand = status.in_hand;
         overlay_.waiting = status.waiting;
         // Beside arms and scripts nobody presses a key: the help goes by itself.
         const bool read = scripted_ ? status.time_s < kReadHelpS && overlay_.practice.steps.empty()
@@ -248,8 +243,7 @@ class WindowSession {
     PicturePace pace_;
     SessionSound sound_;
     sim::WindowInput totals_;
-    bool scripted_ = false, space_mouse_ = false, one_hand_ = false, read_on_ = false,
-         lens_told_ = false;
+    bool scripted_ = false, space_mouse_ = false, read_on_ = false, lens_told_ = false;
     bool screenshot_asked_ = false, paused_ = false, remember_size_ = false;
     int sleeps_ = 0;
     std::string notice_;
