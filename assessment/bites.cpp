@@ -58,6 +58,9 @@ void note(const Event& e, const Prick& prick, Bite& bite) {
             bite.done =
                 !bite.lost && (bite.done || (bite.entered && bite.left && e.hash == bite.channel));
             break;
+        case EventKind::kNeedleLeftIn:
+            bite.done = false;
+            break;
         default:
             break;
     }

@@ -27,7 +27,9 @@ struct Bite {
     double entered_s = 0, left_s = 0;
     bool entered = false, left = false;
     bool lost = false;  ///< Thread tore, or was drawn, out of one of these channels.
-    bool done = false;  ///< Came out, all of the needle was drawn through, and the thread is in it.
+    /// Came out, all of the needle was drawn through, and the thread is in it; the last one not
+    /// while the needle is in tissue, where it may stand in for a bite.
+    bool done = false;
 
     /// Distances of entry and exit from the line, which is square to the way between the marks and
     /// passes in the middle between them.

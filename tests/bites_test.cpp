@@ -224,6 +224,16 @@ TEST(Bites, ThreadThatLeftABiteUndoesIt) {
     }
 }
 
+// As a pin it holds a slit shut, for as long as it is there.
+TEST(Bites, ANeedleThatIsLeftInTheTissueUndoesTheLastBite) {
+    Row row;
+    for (const int bite : {0, 1, 2}) row.bite(bite);
+    EXPECT_EQ(*row.measured().find("bites_done"), 3);
+    row.add(EventKind::kNeedleEntered, 0.025, 0.5);
+    row.add(EventKind::kNeedleLeftIn, 0, 0);
+    EXPECT_EQ(*row.measured().find("bites_done"), 2);
+}
+
 // A single bite is measured by itself: tasks and recordings of one bite stay what they are.
 TEST(Bites, WithoutMarksThereIsNoRow) {
     Row row;

@@ -21,7 +21,7 @@ namespace placode::assessment {
 namespace THIS_TEST {
 
 constexpr int kRecordings = 200;
-constexpr int kEventKinds = static_cast<int>(sim::EventKind::kNeedleSwung) + 1;
+constexpr int kEventKinds = static_cast<int>(sim::EventKind::kNeedleLeftIn) + 1;
 
 class OddMaker {
  public:

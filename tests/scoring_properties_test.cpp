@@ -331,6 +331,9 @@ TEST_P(ScoringProperties, NobodyPassesWithABiteLeftOut) {
         const Score score = score_of(task, recording);
         EXPECT_EQ(score.verdict, Verdict::kFailed) << left_out << told(score);
     }
+    sim::Recording pinned = done(task, 1);
+    AttemptMaker::put(pinned, sim::EventKind::kNeedleLeftIn, 30, 0, 0, 0.006, 0.002);
+    EXPECT_EQ(score_of(task, pinned).verdict, Verdict::kFailed);
     const auto steps = static_cast<double>(task.steps.size());
     const bool drawn = task.steps.back().goal.kind == sim::PracticeKind::kThreadDraw;
     const Score early = score_of(task, done(task, (steps - (drawn ? 2 : 1)) / steps));

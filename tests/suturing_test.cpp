@@ -469,6 +469,16 @@ std::unique_ptr<Stitch> bitten(int threads, double path_m = 6e-3) {
     return stitch;
 }
 
+TEST(Suturing, ANeedleInTheTissueIsToldAtTheEnd) {
+    const auto stitch = bitten(1);
+    const std::vector<Event> open = open_spells(stitch->scene, stitch->state);
+    const auto left_in = std::find_if(open.begin(), open.end(), [](const Event& e) {
+        return e.kind == EventKind::kNeedleLeftIn;
+    });
+    ASSERT_NE(left_in, open.end());
+    EXPECT_EQ(left_in->rest_position_m, stitch->state.suturing.entry_m);
+}
+
 TEST(Suturing, SameBitsAtAnyNumberOfThreads) {
     std::vector<uint64_t> hashes, whole;
     for (const int threads : {1, 2, 3}) {

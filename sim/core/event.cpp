@@ -167,6 +167,8 @@ std::string_view event_name(EventKind kind) noexcept {
             return "needle_handed_over";
         case EventKind::kNeedleSwung:
             return "needle_swung";
+        case EventKind::kNeedleLeftIn:
+            return "needle_left_in";
         case EventKind::kNeedlePlaced:
             return "needle_placed";
         case EventKind::kNeedleShown:

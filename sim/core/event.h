@@ -181,6 +181,8 @@ enum class EventKind : uint16_t {
                               ///< it, and it stayed with tool, or the attempt is over
     kNeedleSwung = 116,  ///< nobody holds it any more, or the attempt is over: value = how far it
                          ///< was turned in hands since it was taken [rad]
+    kNeedleLeftIn = 117  ///< the attempt is over with more of the needle in tissue than 2 mm of its
+                         ///< tail; place: where it went in last, at rest
 };
 /// What a kIrrigated event tells: value, value2.
 enum class IrrigationSum : int32_t {

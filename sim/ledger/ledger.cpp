@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "sim/cutting/attempt_progress.h"
 #include "sim/cutting/cutting.h"
@@ -23,6 +24,7 @@ constexpr float kDebounceS = 0.05f;      // a contact ends when it has been away
 constexpr float kOverForceS = 0.05f;     // shorter peaks are not a way of working
 constexpr float kOverheatPauseS = 1.0f;  // between entries for one burn that grows
 constexpr float kCheckAfterS = 2.0f;     // hands off after the ring is complete: checking
+constexpr double kNeedleTailM = 2e-3;    // less of a needle in tissue is drawn through
 constexpr double kRingComplete = 0.99;
 constexpr double kResected = 0.9;  // of the marked volume: what is left is not worth a phase
 
@@ -203,7 +205,17 @@ void ledger_body(const Scene& scene, State& state) noexcept {
     }
 }
 
-/// A needle that slides or turns in its jaws, and one that hands hold.
+/// More of it than its tail, which a hand that has drawn it through may let back.
+bool needle_is_in(const Scene& scene, const Suturing& s) noexcept {
+    if (!scene.suture || s.needle.empty()) return false;
+    const auto passages =
+        std::span(s.needle[0].passages).first(static_cast<size_t>(s.needle[0].passage_count));
+    return std::any_of(passages.begin(), passages.end(), [&](const Passage& p) {
+        return p.sticks_at_m < scene.suture->needle().arc_m() - kNeedleTailM;
+    });
+}
+
+/// A needle that slides or turns in its jaws, one that hands hold, and one in tissue.
 void open_needle_spells(const Scene& scene, const State& state, std::vector<Event>& events) {
     const Suturing& s = state.suturing;
     const auto add = [&](const JawSlip& slip, EventKind kind, int tool) {
@@ -213,6 +225,11 @@ void open_needle_spells(const Scene& scene, const State& state, std::vector<Even
     add(s.turn, EventKind::kNeedleTurned, s.driver);
     add(s.handover.slide, EventKind::kNeedleSlipped, s.handover.second);
     add(s.handover.turn, EventKind::kNeedleTurned, s.handover.second);
+    if (needle_is_in(scene, s)) {
+        Event left_in = driver_event(state, EventKind::kNeedleLeftIn, -1, 0, 0);
+        left_in.rest_position_m = s.entry_m;
+        events.push_back(left_in);
+    }
     if (!has_two_drivers(scene) || s.driver < 0) return;
     if (s.handover.second >= 0) events.push_back(held_by_both(state, s.driver, -1));
     if (s.handover.swung_rad > 0)
