@@ -4,8 +4,8 @@
 // How a patch moves as a whole. One sweep a substep carries what acts on a stiff sheet over a few
 // of its vertices only: on a slope it would slide a hundredth of the way that it should. To move
 // and turn it as it is costs no elastic energy, so that six unknowns settle it: momentum and
-// angular momentum change by what tissue, instruments and gravity give, and by nothing else. As
-// the rigid modes of verification scenes (sim/verify/rigid_modes.h), without allocation.
+// angular momentum change by what tissue, instruments and gravity give, and by nothing else
+// (whole_body.h).
 
 namespace placode::sim {
 
