@@ -22,8 +22,16 @@ Pushes Pushes::about(const Vec3& c) const noexcept {
     return out;
 }
 
-std::optional<WholeStep> whole_step(const WholeSums& sums, const Pushes& pushes) noexcept {
+std::optional<WholeStep> whole_step(const WholeSums& sums, const Pushes& pushes,
+                                    bool turns) noexcept {
     const Vec3 centre = sums.place / sums.mass_kg, start = sums.start / sums.mass_kg;
+    if (!turns) {
+        const Eigen::LLT<Mat3> solved(sums.mass_kg * Mat3::Identity() + pushes.moves);
+        if (solved.info() != Eigen::Success) return std::nullopt;
+        const Vec3 offset = solved.solve(sums.planned - sums.went + pushes.force);
+        if (!offset.allFinite()) return std::nullopt;
+        return WholeStep{centre, offset, Vec3::Zero()};
+    }
     const Pushes there = pushes.about(centre);
     Mat6 system;
     system << sums.mass_kg * Mat3::Identity() + there.moves, -there.mixed, -there.mixed.transpose(),

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How a body moves and turns as a whole within a substep, for a patch (patch_modes.h). To move and
+// How a body moves and turns as a whole within a substep, for a patch (patch_modes.h) and for loose
+// pieces of tissue (free_pieces.h). To move and
 // turn it as it is costs no elastic energy, so that six unknowns settle it: its momentum and
 // angular momentum change by what others and gravity give, and by nothing else. One Newton step on
 // them, as the rigid modes of verification scenes (sim/verify/rigid_modes.h), without allocation.
@@ -72,9 +73,9 @@ struct WholeStep {
 };
 
 /// The step after which momentum and angular momentum are what `pushes` give; nothing where there
-/// is no such step.
-[[nodiscard]] std::optional<WholeStep> whole_step(const WholeSums& sums,
-                                                  const Pushes& pushes) noexcept;
+/// is no such step. @param turns false: an offset alone, of a body that is too thin to be turned.
+[[nodiscard]] std::optional<WholeStep> whole_step(const WholeSums& sums, const Pushes& pushes,
+                                                  bool turns = true) noexcept;
 
 /// What instruments press on a body at the present places, and friction there.
 /// @param from where places are from. @param h2 square of a substep [s^2]. @param owns (vertex)

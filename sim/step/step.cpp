@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "sim/contact/contact.h"
+#include "sim/contact/free_pieces.h"
 #include "sim/contact/patch_contact.h"
 #include "sim/contact/patch_modes.h"
 #include "sim/contact/self_contact.h"
@@ -127,6 +128,7 @@ void run_substeps(const Scene& scene, State& state, const std::array<Pose, kMaxT
             costs.charge(kContact);
         }
         move_patch_whole(scene, state, h);
+        move_free_pieces(scene, state, h);
         finish_contacts(state);
         bear_patch(scene, state, h);
         feel_grasped(scene, state);
@@ -210,6 +212,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     update_irrigation(scene, state, frame_s);
     update_sac(scene, state, frame_s, false);
     wake_tissue(scene, state);
+    collect_free_pieces(scene, state);
     costs.charge(kContact);
     run_substeps(scene, state, from, to, costs);
     measure_tips(scene, state);

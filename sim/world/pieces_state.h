@@ -89,6 +89,25 @@ void fields(Of<PieceFlood> auto& s, Visit&& visit) {
     visit.state(reached, stack, stamp, top, running);
 }
 
+/// Loose pieces that nothing holds and nothing else moves with, found anew in every frame
+/// (sim/contact/free_pieces.h). Sized once; empty in a body that cannot be cut.
+struct FreePieces {
+    explicit FreePieces(const Scene& scene);
+    /// As if built anew.
+    void forget() noexcept;
+
+    struct Body {
+        int32_t first = 0, count = 0;  ///< Into `vertex`; 0 = does not move freely.
+        double edge_m = 0;             ///< Longest of its vertices' shortest edges.
+    };
+    std::array<Body, kMostPieces> bodies{};  ///< By the number of the piece. Valid while `any`.
+    std::vector<int32_t> vertex;             ///< (V + spares) Piece by piece.
+    std::vector<int32_t> found;              ///< (V + spares) First `found_count`.
+    std::vector<int8_t> of;                  ///< (V + spares) Number of the piece, -1 = of none.
+    int32_t found_count = 0;
+    bool any = false;
+};
+
 /// Constant lists, and paths that were found: lost, they are found again. Sized once.
 struct PieceSearch {
     explicit PieceSearch(const Scene& scene);

@@ -37,6 +37,7 @@ struct State::Scratch {
     std::vector<int32_t> candidates;       // (V) vertices near a current
     std::vector<float> placode_volume_m3;  // (V) share of the placode, constant
     PieceSearch pieces;
+    FreePieces free_pieces;
     PatchScratch patch;
     std::vector<SutureScratch> suture;  // empty or one
     SutureReport suture_report;         // of this frame

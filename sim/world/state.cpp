@@ -40,12 +40,26 @@ PatchScratch::PatchScratch(const Scene& scene) {
     apart_m = kFoldApart * longest_m;
 }
 
+FreePieces::FreePieces(const Scene& scene) {
+    if (scene.body.spec().spare_vertices == 0) return;
+    vertex.assign(static_cast<size_t>(scene.body.vertex_capacity()), -1);
+    found = vertex;
+    of.assign(vertex.size(), -1);
+}
+
+void FreePieces::forget() noexcept {
+    std::fill(of.begin(), of.end(), int8_t{-1});
+    found_count = 0;
+    any = false;
+}
+
 State::Scratch::Scratch(const Scene& scene, CutProgress* untouched)
     : contacts(scene),
       vaporised(kVaporisedPerStep),
       candidates(scene.body.vertex_count()),
       placode_volume_m3(scene.body.vertex_count(), 0.0f),
       pieces(scene),
+      free_pieces(scene),
       patch(scene),
       sac_thirds(scene.sac.triangles.size()),
       sector_stack(scene.body.tet_count()),
@@ -75,6 +89,7 @@ void State::Scratch::forget() noexcept {
     contacts.candidate_count = contacts.contact_count = contacts.vertex_count = 0;
     contacts.feature_count = contacts.most_contacts = 0;
     for (PieceSearch::Path& path : pieces.path) path.count = 0;
+    free_pieces.forget();
     for (SutureScratch& lists : suture) lists.forget();
     tip_triangle.fill(-1);
     heat_stepped = false;
