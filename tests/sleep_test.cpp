@@ -207,6 +207,26 @@ TEST_P(Sleeping, EveryCopyOfAVertexTakesPart) {
     EXPECT_GT(copies, 20);
 }
 
+// What sleeps is not looked at for tears: copies that a cut makes while nothing sleeps must not be
+// taken for asleep.
+TEST_P(Sleeping, CopiesMadeWhileAllIsAwakeAreAwake) {
+    BoxOptions options = sheet(true, GetParam());
+    options.spare_vertices = 2000;
+    const Scene scene = box_scene(options);
+    State state(scene, 1);
+    run(scene, state, 400, [](int) { return kAway; });
+    ASSERT_TRUE(state.sleep.still());
+    state.body.roused_count = static_cast<int32_t>(state.body.roused.size()) + 1;
+    run(scene, state, 1, [](int) { return kAway; });
+    ASSERT_EQ(state.sleep.asleep_count, 0);
+    part(scene, state, -0.006, 0.006);
+    run(scene, state, 1, [](int) { return kAway; });
+    ASSERT_EQ(state.sleep.asleep_count, 0);
+    ASSERT_GT(state.sleep.known_vertices, scene.body.vertex_count());
+    for (int32_t v = scene.body.vertex_count(); v < state.sleep.known_vertices; ++v)
+        ASSERT_EQ(state.sleep.vertex_asleep[static_cast<size_t>(v)], 0) << v;
+}
+
 TEST(SleepSetting, WithoutIntentionNothingSleeps) {
     const Scene scene = box_scene(sheet(false));
     State state(scene, 1);
