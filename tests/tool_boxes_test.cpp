@@ -51,5 +51,16 @@ TEST(ToolBoxes, NothingForWhatIsOutOfThePicture) {
         tool_boxes(snapshot, {ToolSpec{}}, look_at(Vec3(-15, 0, 26), Vec3(0, 0, 0), 70)).empty());
 }
 
+// Before the first input the first picture showed its tip in the middle of the lesion.
+TEST(ToolBoxes, NothingForWhatNoHandHasMovedYet) {
+    Snapshot snapshot;
+    snapshot.tool_count = 1;
+    const Camera camera = look_at(Vec3(-15.4, 0, 25.7), Vec3(0, 0, 0), 70);
+    EXPECT_FALSE(is_drawn({ToolSpec{}}, 0, snapshot));
+    EXPECT_TRUE(tool_boxes(snapshot, {ToolSpec{}}, camera).empty());
+    snapshot.tools[0].pose.p = Vec3(0, 0, 0.002);
+    EXPECT_TRUE(is_drawn({ToolSpec{}}, 0, snapshot));
+}
+
 }  // namespace THIS_TEST
 }  // namespace placode::view

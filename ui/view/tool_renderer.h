@@ -44,7 +44,8 @@ struct ShadowCapsule {
 [[nodiscard]] std::vector<ShadowCapsule> shadow_capsules(const sim::ToolSpec& spec,
                                                          const sim::Pose& X_WT);
 
-/// Whether instrument `i` is drawn: no scope, and not what waits outside for its turn at the port.
+/// Whether instrument `i` is drawn: no scope, not what waits outside for its turn at the port, and
+/// nothing that no hand has moved yet.
 [[nodiscard]] bool is_drawn(const std::vector<sim::ToolSpec>& tools, size_t i,
                             const sim::Snapshot& snapshot);
 
