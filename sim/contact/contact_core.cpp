@@ -148,7 +148,7 @@ VertexStep solve_contact(ContactLists& lists, const SoftBody& body, SoftBodyStat
     VertexSystem system = vertex_system(body, state, touched.vertex, h_s);
     add_touch(lists, state, touched, system);
     if (held != 0) hold_axes(system, held);
-    const VertexStep taken =
+    VertexStep taken =
         vertex_step(system, 1, body.shortest_edge_m()[as_index(origin_of(state, touched.vertex))]);
     if (taken.finite) move_vertex(state, touched.vertex, taken.step);
     return taken;

@@ -136,9 +136,11 @@ void add_hook(ToolModel& shape, float tip, float exposed, float radius, float le
 void add_grasper(ToolModel& shape, float jaw_mm, float radius, float length) {
     std::vector<JawSection> sections;
     // Serrations of 0.5 mm pitch.
-    for (float s = 0; s <= jaw_mm; s += 0.25F) {
-        const float t = s / jaw_mm;
-        const bool tooth = static_cast<int>(std::lround(s / 0.25F)) % 2 == 0;
+    constexpr float kFlankMm = 0.25F;
+    const int flanks = static_cast<int>(jaw_mm / kFlankMm);
+    for (int i = 0; i <= flanks; ++i) {
+        const float s = kFlankMm * static_cast<float>(i), t = s / jaw_mm;
+        const bool tooth = i % 2 == 0;
         sections.push_back({s, 1.0F + 1.0F * t, tooth ? 0.02F : 0.12F, 0.45F + 0.75F * t});
     }
     add_jaw(shape, sections, 1);
