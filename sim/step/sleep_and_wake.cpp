@@ -45,7 +45,8 @@ void wake_vertex(Sleep& sleep, int32_t v) noexcept {
 void unsettle_cuts(const SoftBody& body, const SoftBodyState& state, Sleep& sleep) noexcept {
     if (!state.topology) return;
     for (; sleep.known_vertices < state.topology->vertices; ++sleep.known_vertices) {
-        // Also while nothing sleeps, when no runs are set anew: what sleeps is not looked at for tears.
+        // Also while nothing sleeps, when no runs are set anew: what sleeps is not looked at for
+        // tears.
         sleep.vertex_asleep[as_index(sleep.known_vertices)] = 0;
         for (const int32_t t : tets_around(body, state, sleep.known_vertices)) {
             for (const int32_t v : corners(body, state, t)) {
