@@ -59,7 +59,7 @@ class Servo {
     /// Any thread.
     void set_paused(bool paused) noexcept;
     [[nodiscard]] bool finish_requested() const noexcept;
-    [[nodiscard]] bool device_lost() const noexcept;    ///< Every hand was, in the last tick.
+    [[nodiscard]] bool device_lost() const noexcept;  ///< Every hand was, in the last tick.
     /// The tool that one hand at a window moved in the last tick; -1 = every tool has its own.
     [[nodiscard]] int in_hand() const noexcept;
     [[nodiscard]] bool renders_force() const noexcept;  ///< One of the devices has motors.
