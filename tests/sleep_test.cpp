@@ -220,7 +220,7 @@ TEST_P(Sleeping, CopiesMadeWhileAllIsAwakeAreAwake) {
     run(scene, state, 1, [](int) { return kAway; });
     ASSERT_EQ(state.sleep.asleep_count, 0);
     part(scene, state, -0.006, 0.006);
-    run(scene, state, 1, [](int) { return kAway; });
+    run(scene, state, 8, [](int) { return kAway; });
     ASSERT_EQ(state.sleep.asleep_count, 0);
     ASSERT_GT(state.sleep.known_vertices, scene.body.vertex_count());
     for (int32_t v = scene.body.vertex_count(); v < state.sleep.known_vertices; ++v)
