@@ -173,7 +173,7 @@ class PieceModes {
     Vec3 fall_m_s_, from_;  // all places are from there
 };
 
-/// Pieces with a contact, and pieces that needle or thread go through.
+/// Pieces with a contact, and pieces that lie on tissue or that needle or thread go through.
 void mark_touched(const State& state, PieceMarks& touched, PieceMarks& sewn) noexcept {
     const FreePieces& free = state.scratch->free_pieces;
     const auto mark = [&](int32_t v, PieceMarks& marks) noexcept {
@@ -182,6 +182,12 @@ void mark_touched(const State& state, PieceMarks& touched, PieceMarks& sewn) noe
     };
     const ContactSet& set = state.scratch->contacts;
     for (int32_t i = 0; i < set.vertex_count; ++i) mark(set.vertices[as_index(i)].vertex, touched);
+    // What lies on other tissue is left to it: moved as a whole it did not come to rest.
+    for (int32_t i = 0; i < set.contact_count; ++i) {
+        const Contact& c = set.contacts[as_index(i)];
+        if (c.side != kTissueSide || gap_of(c, state.body) >= 0) continue;
+        for (const int32_t v : c.vertex) mark(v, sewn);
+    }
     for (const SutureScratch& lists : state.scratch->suture) {
         for (int32_t i = 0; i < lists.colour_count; ++i)
             mark(lists.colour[as_index(i)].vertex, sewn);

@@ -7,7 +7,8 @@
 // momentum does not stay. Six unknowns of each piece mend that (whole_body.h): momentum and angular
 // momentum change by what instruments, other tissue and gravity give, and by nothing else.
 //
-// Left alone: what rests, sleeps, is washed away or hangs in jaws, on roots or on a thread. Frames
+// Left alone: what rests, sleeps, lies on other tissue (by sweeps alone it comes to rest there), is
+// washed away or hangs in jaws, on roots or on a thread. Frames
 // without a loose piece that moves do nothing here but look at the list of pieces.
 
 namespace placode::sim {
