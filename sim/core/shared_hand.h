@@ -10,7 +10,8 @@
 
 namespace placode::sim {
 
-[[nodiscard]] inline bool shares_hand(const std::vector<ToolSpec>& tools, const ToolSpec& spec) {
+[[nodiscard]] inline bool shares_hand(const std::vector<ToolSpec>& tools,
+                                      const ToolSpec& spec) noexcept {
     return std::count_if(tools.begin(), tools.end(),
                          [&](const ToolSpec& each) { return each.hand == spec.hand; }) > 1;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sim/core/as_index.h"
+#include "sim/core/shared_hand.h"
 #include "sim/cutting/grasp.h"
 #include "sim/step/needle_holds.h"
 #include "sim/suture/needle_motion.h"
@@ -19,17 +20,6 @@ namespace {
 constexpr int kWirePlaces = 129;    // looked at along the arc: every 0.13 mm of 17
 constexpr double kReach = 0.0006;   // wire this far beyond the tips is still bitten [m]
 constexpr double kCentring = 0.05;  // of its way to the jaws' middle that the wire goes in a frame
-
-/// Another instrument of the same hand goes in and out through its port.
-bool takes_turns(const Scene& scene, int t) noexcept {
-    for (size_t k = 0; k < scene.tools.size(); ++k) {
-        const ToolSpec& other = scene.tools[k];
-        if (k != as_index(t) && other.kind != ToolKind::kScope &&
-            other.hand == scene.tools[as_index(t)].hand)
-            return true;
-    }
-    return false;
-}
 
 /// A driver that makes room for another instrument keeps a needle that is in no tissue: both wait
 /// outside of the port.
@@ -126,8 +116,8 @@ void update_needle_jaws(const Scene& scene, State& state, double dt) noexcept {
                 s.locked = open ? kLockedUntilClosed : kLockedUntilOpened;
             else if (closed && !awaits)
                 s.locked = 0;
-            if (!awaits && tool.engaged == 0 && s.handover.second < 0 && takes_turns(scene, t) &&
-                needle_in_the_open(needle)) {
+            if (!awaits && tool.engaged == 0 && s.handover.second < 0 &&
+                shares_hand(scene.tools, spec) && needle_in_the_open(needle)) {
                 carry_out(scene, state, t);
             } else if (!awaits && (tool.engaged == 0 || (open && s.locked == 0))) {
                 end_hold(scene, state, t);
