@@ -173,14 +173,19 @@ TEST(FieldSlit, EdgesThatRideOverEachOtherShutNothing) {
     EXPECT_GT(slit_events(*scene, state).at(static_cast<size_t>(station) + 1).value, 0.0009F);
 }
 
+/// Both walls, until they touch.
+void push_together(const Scene& scene, State& state) {
+    for (size_t v = 0; v < scene.body.mesh().rest.size(); ++v) {
+        const int side = scene.slit.side_of(static_cast<int32_t>(v));
+        state.body.x[v].x =
+            static_cast<float>(scene.body.mesh().rest[v].x() + side * 0.48 * kWidthM);
+    }
+}
+
 TEST(FieldSlit, ATornWallIsOpenHoweverNearItsRagsLie) {
     const auto& scene = pad_scene();
     State state(*scene, 1);
-    for (size_t v = 0; v < scene->body.mesh().rest.size(); ++v) {
-        const int side = scene->slit.side_of(static_cast<int32_t>(v));
-        state.body.x[v].x =
-            static_cast<float>(scene->body.mesh().rest[v].x() + side * 0.48 * kWidthM);
-    }
+    push_together(*scene, state);
     const auto before = slit_events(*scene, state);
     const auto shut = static_cast<size_t>(nearest_station(*scene, Vec2(0.009, 0)));
     EXPECT_EQ(before.at(shut + 1).value, 0);
@@ -211,11 +216,7 @@ TEST(FieldSlit, ATornWallIsOpenHoweverNearItsRagsLie) {
 TEST(FieldSlit, AWallThatIsNowhereIsOpen) {
     const auto& scene = pad_scene();
     State state(*scene, 1);
-    for (size_t v = 0; v < scene->body.mesh().rest.size(); ++v) {
-        const int side = scene->slit.side_of(static_cast<int32_t>(v));
-        state.body.x[v].x =
-            static_cast<float>(scene->body.mesh().rest[v].x() + side * 0.48 * kWidthM);
-    }
+    push_together(*scene, state);
     const auto lost = static_cast<size_t>(nearest_station(*scene, Vec2(0.009, 0)));
     for (int level = 0; level < scene->slit.layers; ++level)
         state.body.x[static_cast<size_t>(scene->slit.stations[lost].left[as_index(level)])].x =
