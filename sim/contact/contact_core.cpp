@@ -73,9 +73,22 @@ void build_incidence(ContactLists& lists) noexcept {
     }
 }
 
-void add_rub(const Contact& c, double b, const TissueFriction& f, VertexSystem& system) noexcept {
-    system.gradient += f.stiffness_n_m * b * f.way_m;
-    system.hessian += f.stiffness_n_m * b * b * (Mat3::Identity() - c.n * c.n.transpose());
+/// Friction of tissue on tissue within the substep: a spring against the way since its start,
+/// softer where the cone ends. It takes energy only, and forgets: what shall lie still sticks
+/// (sim/cutting/pieces.h).
+void rub(const SoftBodyState& body, const Contact& c, double b, double load_n,
+         VertexSystem& system) noexcept {
+    Vec3 offset = Vec3::Zero();
+    for (size_t i = 0; i < as_index(c.corners); ++i) {
+        offset += c.b[i] *
+                  (exact_position(body, c.vertex[i]) - to_vec(body.x_start[as_index(c.vertex[i])]));
+    }
+    offset -= c.n * c.n.dot(offset);
+    double k = c.stiffness_n_m;
+    const double length = offset.norm();
+    if (length * k > kTissueFriction * load_n) k = kTissueFriction * load_n / length;
+    system.gradient += k * b * offset;
+    system.hessian += k * b * b * (Mat3::Identity() - c.n * c.n.transpose());
 }
 
 }  // namespace
@@ -106,20 +119,6 @@ Friction friction_of(const ContactVertex& touched, const SoftBodyState& state) n
                         touched.friction_n_m);
 }
 
-TissueFriction tissue_friction_of(const Contact& c, const SoftBodyState& state,
-                                  double load_n) noexcept {
-    Vec3 way = Vec3::Zero();
-    for (size_t i = 0; i < as_index(c.corners); ++i) {
-        way += c.b[i] *
-               (exact_position(state, c.vertex[i]) - to_vec(state.x_start[as_index(c.vertex[i])]));
-    }
-    way -= c.n * c.n.dot(way);
-    double k = c.stiffness_n_m;
-    const double length = way.norm();
-    if (length * k > kTissueFriction * load_n) k = kTissueFriction * load_n / length;
-    return {way, k};
-}
-
 void add_touch(ContactLists& lists, const SoftBodyState& state, ContactVertex& touched,
                VertexSystem& system) noexcept {
     const Mat3 tissue = system.hessian;
@@ -132,7 +131,7 @@ void add_touch(ContactLists& lists, const SoftBodyState& state, ContactVertex& t
         if (gap >= 0) continue;
         add_normal_contact(system, k, b, gap, c.n);
         if (c.side == kTissueSide)
-            add_rub(c, b, tissue_friction_of(c, state, -k * gap), system);
+            rub(state, c, b, -k * gap, system);
         else
             load -= k * gap * b * c.n;
     }

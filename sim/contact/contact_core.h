@@ -112,17 +112,6 @@ void weigh_contacts(ContactLists& lists, const SoftBodyState& state, Each&& each
 [[nodiscard]] Friction friction_of(const ContactVertex& touched,
                                    const SoftBodyState& state) noexcept;
 
-/// Friction of tissue on tissue within a substep: a spring against the way of one side along the
-/// other since its start, softer where the cone ends. It takes energy only, and forgets: what shall
-/// lie still sticks (sim/cutting/pieces.h).
-struct TissueFriction {
-    Vec3 way_m = Vec3::Zero();  ///< Of the vertex along the face, across the contact's normal.
-    double stiffness_n_m = 0;
-};
-/// @pre c.side is kTissueSide. @param load_n with which they press.
-[[nodiscard]] TissueFriction tissue_friction_of(const Contact& c, const SoftBodyState& state,
-                                                double load_n) noexcept;
-
 /// After a substep: drags the place where a vertex sticks along where it slips, forgets it where
 /// the vertex has lifted off.
 void stick(ContactVertex& touched, const SoftBodyState& state) noexcept;

@@ -50,10 +50,8 @@ class PieceLists {
             moves_[as_index(of)] = moves_[as_index(piece)] = false;
             return;
         }
-        // While all is awake, `vertex_asleep` does not know of copies that cuts have made since.
-        const bool sleeps = !state_.body.awake.all && state_.sleep.vertex_asleep[as_index(v)] != 0;
         if (state_.body.x[as_index(v)].w == 0 || state_.body.free_vertex[as_index(v)] != 1 ||
-            sleeps)
+            state_.sleep.vertex_asleep[as_index(v)] != 0)
             moves_[as_index(piece)] = false;
         of = piece;
         free_.found[as_index(free_.found_count++)] = v;
@@ -98,7 +96,7 @@ class PieceModes {
           fall_m_s_(h * scene.body.spec().solver.gravity_m_s2),
           from_(to_vec(state.body.x_start[as_index(vertex(0))])) {}
 
-    /// @param touched instruments or other tissue may press on it.
+    /// @param touched instruments may press on it.
     void move(bool touched) noexcept {
         for (int pass = 0; pass < (touched ? kPiecePasses : 1); ++pass) {
             const auto step = next_step(touched);
@@ -134,34 +132,11 @@ class PieceModes {
             add_instruments(
                 state_.scratch->contacts, body, from_, h_ * h_,
                 [&](int32_t v) noexcept { return owns(v); }, pushes);
-            add_other_tissue(pushes);
         }
         const Mat3 inertia = sums.inertia - inertia_of(sums.mass_kg, sums.place / sums.mass_kg);
         const double trace = inertia.trace();
         const bool turns = inertia.determinant() > kPieceThin * trace * trace * trace;
         return whole_step(sums, pushes, turns);
-    }
-
-    /// Tissue that the piece touches, where it is now. What touches within the piece cancels.
-    void add_other_tissue(Pushes& pushes) const noexcept {
-        const ContactSet& set = state_.scratch->contacts;
-        for (int32_t i = 0; i < set.contact_count; ++i) {
-            const Contact& c = set.contacts[as_index(i)];
-            if (c.side != kTissueSide) continue;
-            const bool vertex_side = owns(c.vertex[0]);
-            if (vertex_side == owns(c.vertex[1])) continue;
-            const double gap = gap_of(c, state_.body);
-            if (gap >= 0) continue;
-            // The place on either side; they are as far apart as the gap.
-            Vec3 at = Vec3::Zero();
-            for (size_t k = vertex_side ? 0 : 1; k < (vertex_side ? 1U : 4U); ++k)
-                at += std::abs(c.b[k]) * (position(state_.body, c.vertex[k]) - from_);
-            const double sign = vertex_side ? 1 : -1, k = h_ * h_ * c.stiffness_n_m;
-            pushes.add(at, -k * gap * sign * c.n, k * c.n * c.n.transpose());
-            const TissueFriction f = tissue_friction_of(c, state_.body, -c.stiffness_n_m * gap);
-            const double rub = h_ * h_ * f.stiffness_n_m;
-            pushes.add(at, -rub * sign * f.way_m, rub * (Mat3::Identity() - c.n * c.n.transpose()));
-        }
     }
 
     const Scene& scene_;
@@ -174,7 +149,7 @@ class PieceModes {
 };
 
 /// Pieces with a contact, and pieces that lie on tissue or that needle or thread go through.
-void mark_touched(const State& state, PieceMarks& touched, PieceMarks& sewn) noexcept {
+void mark_touched(const State& state, PieceMarks& touched, PieceMarks& left_alone) noexcept {
     const FreePieces& free = state.scratch->free_pieces;
     const auto mark = [&](int32_t v, PieceMarks& marks) noexcept {
         const int8_t piece = free.of[as_index(v)];
@@ -186,11 +161,11 @@ void mark_touched(const State& state, PieceMarks& touched, PieceMarks& sewn) noe
     for (int32_t i = 0; i < set.contact_count; ++i) {
         const Contact& c = set.contacts[as_index(i)];
         if (c.side != kTissueSide || gap_of(c, state.body) >= 0) continue;
-        for (const int32_t v : c.vertex) mark(v, sewn);
+        for (const int32_t v : c.vertex) mark(v, left_alone);
     }
     for (const SutureScratch& lists : state.scratch->suture) {
         for (int32_t i = 0; i < lists.colour_count; ++i)
-            mark(lists.colour[as_index(i)].vertex, sewn);
+            mark(lists.colour[as_index(i)].vertex, left_alone);
     }
 }
 
@@ -213,10 +188,10 @@ void collect_free_pieces(const Scene& scene, State& state) noexcept {
 void move_free_pieces(const Scene& scene, State& state, double h) noexcept {
     const FreePieces& free = state.scratch->free_pieces;
     if (!free.any) return;
-    PieceMarks touched{}, sewn{};
-    mark_touched(state, touched, sewn);
+    PieceMarks touched{}, left_alone{};
+    mark_touched(state, touched, left_alone);
     for (int piece = 0; piece < kMostPieces; ++piece) {
-        if (free.bodies[as_index(piece)].count == 0 || sewn[as_index(piece)]) continue;
+        if (free.bodies[as_index(piece)].count == 0 || left_alone[as_index(piece)]) continue;
         PieceModes(scene, state, piece, h).move(touched[as_index(piece)]);
     }
 }

@@ -5,7 +5,7 @@
 // while it falls or is pushed. One sweep a substep carries what acts on it over some of its
 // vertices only: by itself a bar that spins turns a third too far or a fifth too little, and its
 // momentum does not stay. Six unknowns of each piece mend that (whole_body.h): momentum and angular
-// momentum change by what instruments, other tissue and gravity give, and by nothing else.
+// momentum change by what instruments and gravity give, and by nothing else.
 //
 // Left alone: what rests, sleeps, lies on other tissue (by sweeps alone it comes to rest there), is
 // washed away or hangs in jaws, on roots or on a thread. Frames

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How a body moves and turns as a whole within a substep, for a patch (patch_modes.h) and for loose
-// pieces of tissue (free_pieces.h). To move and
-// turn it as it is costs no elastic energy, so that six unknowns settle it: its momentum and
-// angular momentum change by what others and gravity give, and by nothing else. One Newton step on
-// them, as the rigid modes of verification scenes (sim/verify/rigid_modes.h), without allocation.
+// pieces of tissue (free_pieces.h). To move and turn it as it is costs no elastic energy, so that
+// six unknowns settle it: its momentum and angular momentum change by what others and gravity give,
+// and by nothing else. One Newton step on them, as the rigid modes of verification scenes
+// (sim/verify/rigid_modes.h), without allocation.
 //
 // All places are from one point near the body, so that nothing is lost where they are subtracted.
 
