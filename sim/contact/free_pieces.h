@@ -8,8 +8,8 @@
 // momentum change by what instruments and gravity give, and by nothing else.
 //
 // Left alone: what rests, sleeps, lies on other tissue (by sweeps alone it comes to rest there), is
-// washed away or hangs in jaws, on roots or on a thread. Frames
-// without a loose piece that moves do nothing here but look at the list of pieces.
+// washed away or hangs in jaws, on roots or on a thread. Frames without a loose piece that moves do
+// nothing here but look at the list of pieces.
 
 namespace placode::sim {
 
