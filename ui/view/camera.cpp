@@ -49,14 +49,16 @@ Camera look_at(const Vec3& eye_mm, const Vec3& target_mm, double field_of_view_d
     return camera;
 }
 
+bool is_nowhere(const ToolSnapshot& tool) { return tool.pose.p.isZero(1e-9); }
+
 Camera camera_of(const Snapshot& snapshot, const std::vector<ToolSpec>& tools) {
     for (int i = 0; i < snapshot.tool_count; ++i) {
         const ToolSnapshot& tool = snapshot.tools[static_cast<size_t>(i)];
         if (tool.kind != ToolKind::kScope) continue;
         const ToolSpec spec =
             static_cast<size_t>(i) < tools.size() ? tools[static_cast<size_t>(i)] : ToolSpec{};
-        // Before the first input nobody holds the scope: it would look from inside the tissue.
-        if (tool.pose.p.isZero(1e-9)) {
+        // It would look from inside the tissue.
+        if (is_nowhere(tool)) {
             if (spec.kind != ToolKind::kScope) break;
             return look_at(1000 * haptics::scope_home_m(tools, spec), 1000 * spec.look_at_m,
                            spec.field_of_view_deg);

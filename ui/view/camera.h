@@ -18,6 +18,9 @@ struct Camera {
     [[nodiscard]] Mat4f view_projection() const;
 };
 
+/// No hand has moved it yet: until the first input it has no place.
+[[nodiscard]] bool is_nowhere(const sim::ToolSnapshot& tool);
+
 /// From the scope among the snapshot's tools, whose axes are x right, y down, z into the picture
 /// (turned down by the angle of an oblique optic). Before anybody holds the scope from where it
 /// begins; a default view of the lesion when there is none.

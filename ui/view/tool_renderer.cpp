@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "sim/core/shared_hand.h"
+#include "ui/view/camera.h"
 #include "ui/view/tissue_mesh.h"
 
 namespace placode::view {
@@ -244,8 +245,8 @@ std::vector<ShadowCapsule> shadow_capsules(const ToolSpec& spec, const Pose& X_W
 
 bool is_drawn(const std::vector<ToolSpec>& tools, size_t i, const Snapshot& snapshot) {
     if (tools[i].kind == ToolKind::kScope) return false;
-    // Before the first input it is nowhere yet: it would stand in the middle of the lesion.
-    if (snapshot.tools[i].pose.p.isZero(1e-9)) return false;
+    // It would stand in the middle of the lesion.
+    if (is_nowhere(snapshot.tools[i])) return false;
     return !shares_hand(tools, tools[i]) || snapshot.tools[i].engaged != 0;
 }
 
